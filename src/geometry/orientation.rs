@@ -1,0 +1,249 @@
+//! The ways in which robot languages write an orientation, and the way back.
+//!
+//! Angles here are radians; files mostly hold degrees, which their dialect converts at the edge.
+
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+
+use super::pose::{rotation_from_vector, rotation_x, rotation_y, rotation_z, vector_from_rotation};
+
+/// How an orientation is written down. The listed order is the order of the numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OrientationConvention {
+    /// w, x, y, z (ABB).
+    QuaternionWxyz,
+    /// x, y, z, w.
+    QuaternionXyzw,
+    /// rx, ry, rz about fixed axes: R = Rz(rz) Ry(ry) Rx(rx) (Hyundai, FANUC, Yaskawa, this project's own files).
+    FixedXyz,
+    /// a, b, c: R = Rz(a) Ry(b) Rx(c) (KUKA).
+    EulerZyx,
+    /// rx, ry, rz about moving axes: R = Rx(rx) Ry(ry) Rz(rz) (Staubli).
+    EulerXyz,
+    /// R = Rz(first) Ry(second) Rz(third) (Kawasaki, Comau).
+    EulerZyz,
+    /// Axis times angle (Universal Robots).
+    RotationVector,
+}
+
+impl OrientationConvention {
+    /// How many numbers it takes.
+    pub fn count(self) -> usize {
+        match self {
+            Self::QuaternionWxyz | Self::QuaternionXyzw => 4,
+            _ => 3,
+        }
+    }
+
+    /// True for the two quaternion orders, whose numbers are not angles.
+    pub fn is_quaternion(self) -> bool {
+        self.count() == 4
+    }
+
+    /// The rotation matrix that `numbers` stand for. A quaternion is normalised first.
+    ///
+    /// Returns `None` when the count is wrong, a number is not finite, or a quaternion has no length.
+    pub fn rotation(self, numbers: &[f64]) -> Option<Matrix3<f64>> {
+        if numbers.len() != self.count() || numbers.iter().any(|number| !number.is_finite()) {
+            return None;
+        }
+        Some(match self {
+            Self::QuaternionWxyz => rotation_from_quaternion([numbers[0], numbers[1], numbers[2], numbers[3]])?,
+            Self::QuaternionXyzw => rotation_from_quaternion([numbers[3], numbers[0], numbers[1], numbers[2]])?,
+            Self::FixedXyz => rotation_z(numbers[2]) * rotation_y(numbers[1]) * rotation_x(numbers[0]),
+            Self::EulerZyx => rotation_z(numbers[0]) * rotation_y(numbers[1]) * rotation_x(numbers[2]),
+            Self::EulerXyz => rotation_x(numbers[0]) * rotation_y(numbers[1]) * rotation_z(numbers[2]),
+            Self::EulerZyz => rotation_z(numbers[0]) * rotation_y(numbers[1]) * rotation_z(numbers[2]),
+            Self::RotationVector => rotation_from_vector(&Vector3::new(numbers[0], numbers[1], numbers[2])),
+        })
+    }
+
+    /// The numbers for `rotation` that lie nearest to `near`: same sign of a quaternion, same turn of an angle, same
+    /// one of the two Euler solutions.
+    ///
+    /// At a singularity of the angles (second angle at its limit) the first number of `near` is kept.
+    pub fn numbers(self, rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
+        match self {
+            Self::QuaternionWxyz => quaternion_near(rotation, [0, 1, 2, 3], near),
+            Self::QuaternionXyzw => quaternion_near(rotation, [3, 0, 1, 2], near),
+            Self::FixedXyz => {
+                let reversed: Vec<f64> = near.iter().rev().copied().collect();
+                let mut angles = zyx_near(rotation, &reversed);
+                angles.reverse();
+                angles
+            }
+            Self::EulerZyx => zyx_near(rotation, near),
+            Self::EulerXyz => {
+                // R = Rx(a) Ry(b) Rz(c)  <=>  R' = Rz(-c) Ry(-b) Rx(-a)
+                let mirrored: Vec<f64> = near.iter().rev().map(|angle| -angle).collect();
+                zyx_near(&rotation.transpose(), &mirrored).iter().rev().map(|angle| -angle).collect()
+            }
+            Self::EulerZyz => zyz_near(rotation, near),
+            Self::RotationVector => vector_near(rotation, near),
+        }
+    }
+}
+
+/// w, x, y, z of a rotation matrix, unit length; the sign is arbitrary.
+pub fn quaternion_from_rotation(rotation: &Matrix3<f64>) -> [f64; 4] {
+    // Shepperd (1978): divide by the largest of the four components.
+    let m = |row: usize, column: usize| rotation[(row, column)];
+    let trace = rotation.trace();
+    let candidates = [trace, m(0, 0), m(1, 1), m(2, 2)];
+    let largest = (0..4).fold(0, |best, index| if candidates[index] > candidates[best] { index } else { best });
+    let q = match largest {
+        0 => [1.0 + trace, m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)],
+        1 => [m(2, 1) - m(1, 2), 1.0 + 2.0 * m(0, 0) - trace, m(0, 1) + m(1, 0), m(0, 2) + m(2, 0)],
+        2 => [m(0, 2) - m(2, 0), m(0, 1) + m(1, 0), 1.0 + 2.0 * m(1, 1) - trace, m(1, 2) + m(2, 1)],
+        _ => [m(1, 0) - m(0, 1), m(0, 2) + m(2, 0), m(1, 2) + m(2, 1), 1.0 + 2.0 * m(2, 2) - trace],
+    };
+    let norm = q.iter().map(|component| component * component).sum::<f64>().sqrt();
+    q.map(|component| component / norm)
+}
+
+fn rotation_from_quaternion(wxyz: [f64; 4]) -> Option<Matrix3<f64>> {
+    let q = nalgebra::Quaternion::new(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+    let unit = UnitQuaternion::try_new(q, 1e-6)?;
+    Some(Rotation3::from(unit).into_inner())
+}
+
+fn quaternion_near(rotation: &Matrix3<f64>, order: [usize; 4], near: &[f64]) -> Vec<f64> {
+    let wxyz = quaternion_from_rotation(rotation);
+    let mut out = [0.0; 4];
+    for (component, place) in wxyz.into_iter().zip(order) {
+        out[place] = component;
+    }
+    let agreement: f64 = out.iter().zip(near).map(|(a, b)| a * b).sum();
+    let sign = if agreement < 0.0 { -1.0 } else { 1.0 };
+    out.iter().map(|component| component * sign).collect()
+}
+
+/// The angle equal to `angle` modulo a full turn that lies nearest to `near`.
+pub fn angle_near(angle: f64, near: f64) -> f64 {
+    let turn = std::f64::consts::TAU;
+    angle + turn * ((near - angle) / turn).round()
+}
+
+fn nearest_of(candidates: [[f64; 3]; 2], near: &[f64]) -> Vec<f64> {
+    let placed = candidates.map(|angles| {
+        let mut placed = angles;
+        for (angle, &wanted) in placed.iter_mut().zip(near) {
+            *angle = angle_near(*angle, wanted);
+        }
+        placed
+    });
+    let distance = |angles: &[f64; 3]| angles.iter().zip(near).map(|(a, b)| (a - b).abs()).sum::<f64>();
+    if distance(&placed[0]) <= distance(&placed[1]) { placed[0].to_vec() } else { placed[1].to_vec() }
+}
+
+/// a, b, c with R = Rz(a) Ry(b) Rx(c), nearest to `near`.
+fn zyx_near(rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
+    let sin_b = -rotation[(2, 0)];
+    let cos_b = rotation[(0, 0)].hypot(rotation[(1, 0)]);
+    let b = sin_b.atan2(cos_b);
+    if cos_b < 1e-9 {
+        // Only a - c (or a + c) is determined: keep the a that was written.
+        let a = near.first().copied().unwrap_or(0.0);
+        let rest = rotation_y(-b) * rotation_z(-a) * rotation;
+        let c = rest[(2, 1)].atan2(rest[(1, 1)]);
+        return nearest_of([[a, b, c], [a, b, c]], near);
+    }
+    let a = rotation[(1, 0)].atan2(rotation[(0, 0)]);
+    let c = rotation[(2, 1)].atan2(rotation[(2, 2)]);
+    let pi = std::f64::consts::PI;
+    nearest_of([[a, b, c], [a + pi, pi - b, c + pi]], near)
+}
+
+/// o, a, t with R = Rz(o) Ry(a) Rz(t), nearest to `near`.
+fn zyz_near(rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
+    let sin_a = rotation[(0, 2)].hypot(rotation[(1, 2)]);
+    let a = sin_a.atan2(rotation[(2, 2)]);
+    if sin_a < 1e-9 {
+        let o = near.first().copied().unwrap_or(0.0);
+        let rest = rotation_y(-a) * rotation_z(-o) * rotation;
+        let t = rest[(1, 0)].atan2(rest[(0, 0)]);
+        return nearest_of([[o, a, t], [o, a, t]], near);
+    }
+    let o = rotation[(1, 2)].atan2(rotation[(0, 2)]);
+    let t = rotation[(2, 1)].atan2(-rotation[(2, 0)]);
+    let pi = std::f64::consts::PI;
+    nearest_of([[o, a, t], [o + pi, -a, t + pi]], near)
+}
+
+/// The rotation vector, continued past half a turn when `near` is.
+fn vector_near(rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
+    let v = vector_from_rotation(rotation);
+    let wanted = Vector3::from_iterator(near.iter().copied().chain([0.0; 3]).take(3));
+    let angle = v.norm();
+    if angle < 1e-9 {
+        return v.iter().copied().collect();
+    }
+    let axis = v / angle;
+    let along = axis.dot(&wanted);
+    (axis * angle_near(angle, along)).iter().copied().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_abs_diff_eq;
+
+    const ALL: [OrientationConvention; 7] = [
+        OrientationConvention::QuaternionWxyz,
+        OrientationConvention::QuaternionXyzw,
+        OrientationConvention::FixedXyz,
+        OrientationConvention::EulerZyx,
+        OrientationConvention::EulerXyz,
+        OrientationConvention::EulerZyz,
+        OrientationConvention::RotationVector,
+    ];
+
+    #[test]
+    fn every_convention_goes_round_and_stays_near_what_was_written() {
+        let written = [0.5, -2.9, 1.2, 0.7];
+        for convention in ALL {
+            let mut near = written[..convention.count()].to_vec();
+            if convention.is_quaternion() {
+                let norm = near.iter().map(|x| x * x).sum::<f64>().sqrt();
+                near.iter_mut().for_each(|x| *x /= norm);
+            }
+            let rotation = convention.rotation(&near).expect("finite numbers");
+            let back = convention.numbers(&rotation, &near);
+            for (a, b) in back.iter().zip(&near) {
+                assert_abs_diff_eq!(a, b, epsilon = 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn singular_angles_still_give_the_rotation() {
+        let half_pi = std::f64::consts::FRAC_PI_2;
+        for convention in
+            [OrientationConvention::FixedXyz, OrientationConvention::EulerZyx, OrientationConvention::EulerXyz]
+        {
+            let rotation = convention.rotation(&[0.4, half_pi, -0.3]).expect("finite numbers");
+            let back = convention.numbers(&rotation, &[0.4, half_pi, -0.3]);
+            let again = convention.rotation(&back).expect("finite numbers");
+            assert_abs_diff_eq!(again, rotation, epsilon = 1e-9);
+        }
+        let rotation = OrientationConvention::EulerZyz.rotation(&[0.4, 0.0, -0.3]).expect("finite numbers");
+        let back = OrientationConvention::EulerZyz.numbers(&rotation, &[0.4, 0.0, -0.3]);
+        assert_abs_diff_eq!(back[2], -0.3, epsilon = 1e-12);
+    }
+
+    #[test]
+    fn the_hyundai_sample_pose_has_its_yaw_in_the_arm_plane() {
+        // Evidence for R = Rz Ry Rx: a pose in one plane has rz = atan2(y, x) when rx = 0.
+        let rotation = OrientationConvention::FixedXyz
+            .rotation(&[0.0, 73.248f64.to_radians(), -0.69f64.to_radians()])
+            .expect("finite numbers");
+        let approach = rotation.column(2);
+        assert_abs_diff_eq!(approach[1].atan2(approach[0]), -0.69f64.to_radians(), epsilon = 1e-12);
+    }
+
+    #[test]
+    fn a_quaternion_without_length_is_no_rotation() {
+        assert!(OrientationConvention::QuaternionWxyz.rotation(&[0.0; 4]).is_none());
+        assert!(OrientationConvention::QuaternionWxyz.rotation(&[f64::NAN, 0.0, 0.0, 1.0]).is_none());
+        assert!(OrientationConvention::FixedXyz.rotation(&[0.0; 4]).is_none());
+    }
+}

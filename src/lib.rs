@@ -1,0 +1,5 @@
+//! Corrects robot programs for the robot that is really there.
+
+pub mod base;
+pub mod geometry;
+pub mod program;

@@ -1,0 +1,182 @@
+//! Numbers in program text: where they stand, how they were written, and how to write another in their place.
+
+use nom::branch::alt;
+use nom::bytes::complete::{tag_no_case, take_while, take_while1};
+use nom::character::complete::one_of;
+use nom::combinator::{opt, recognize};
+use nom::{IResult, Parser};
+
+use crate::base::text::Span;
+
+/// A number in the text of a program, or a place where one may be inserted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NumberField {
+    /// Its bytes; empty where the language leaves a default out and a number would have to be inserted.
+    pub span: Span,
+    /// The value as written, in the file's own unit.
+    pub value: f64,
+    /// Digits after the decimal point, exponent counted in (`1.25e-3` has five).
+    pub decimals: usize,
+    /// Text to put before and after an inserted number; `None` where the number is written.
+    pub insertion: Option<Box<Insertion>>,
+    /// The columns it may fill, blanks included, in languages with fixed columns: the number stays right-aligned.
+    pub column: Option<Span>,
+}
+
+/// What surrounds a number that is inserted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Insertion {
+    /// For example ` x="`.
+    pub before: String,
+    /// For example `"`.
+    pub after: String,
+}
+
+/// How a language lets numbers be written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NumberRules {
+    /// No more than this many digits after the point.
+    pub max_decimals: usize,
+    /// A number written without a point may get one.
+    pub integers_may_gain_point: bool,
+}
+
+impl Default for NumberRules {
+    fn default() -> Self {
+        Self { max_decimals: 9, integers_may_gain_point: true }
+    }
+}
+
+fn digits(input: &[u8]) -> IResult<&[u8], &[u8]> {
+    take_while1(|byte: u8| byte.is_ascii_digit()).parse(input)
+}
+
+fn exponent(input: &[u8]) -> IResult<&[u8], &[u8]> {
+    recognize((one_of(&b"eE"[..]), opt(one_of(&b"+-"[..])), digits)).parse(input)
+}
+
+/// An unsigned decimal number: `1`, `1.5`, `1.`, `.5`, each with or without an exponent.
+///
+/// `1ELSE` gives `1`: an exponent letter without digits is not part of the number. (nom's own `recognize_float`
+/// fails on it for good, which is why the rule stands here.)
+pub fn unsigned(input: &[u8]) -> IResult<&[u8], &[u8]> {
+    let any_digits = take_while(|byte: u8| byte.is_ascii_digit());
+    let with_point = recognize((digits, opt((nom::bytes::complete::tag(&b"."[..]), any_digits))));
+    let point_first = recognize((nom::bytes::complete::tag(&b"."[..]), digits));
+    recognize((alt((with_point, point_first)), opt(exponent))).parse(input)
+}
+
+/// A number with an optional sign directly before it.
+pub fn signed(input: &[u8]) -> IResult<&[u8], &[u8]> {
+    recognize((opt(one_of(&b"+-"[..])), unsigned)).parse(input)
+}
+
+/// `9E9` and its spellings: ABB's word for an axis that is not there.
+pub fn is_nine_e_nine(value: f64) -> bool {
+    value >= 8.999e9
+}
+
+/// True when `text` starts with `word` in any case and no letter, digit or underscore follows.
+pub fn starts_with_word(text: &[u8], word: &str) -> bool {
+    let matched: IResult<&[u8], &[u8]> = tag_no_case(word.as_bytes()).parse(text);
+    match matched {
+        Ok((rest, _)) => !rest.first().is_some_and(|&byte| byte == b'_' || byte.is_ascii_alphanumeric()),
+        Err(_) => false,
+    }
+}
+
+/// Reads a signed number at `at`, without skipping blanks; `None` when there is none or it is not finite.
+pub fn number_at(bytes: &[u8], at: usize) -> Option<NumberField> {
+    let (_, text) = signed(bytes.get(at..)?).ok()?;
+    let value: f64 = std::str::from_utf8(text).ok()?.parse().ok()?;
+    if !value.is_finite() {
+        return None;
+    }
+    Some(NumberField {
+        span: Span::new(at, at + text.len()),
+        value,
+        decimals: decimals_of(text),
+        insertion: None,
+        column: None,
+    })
+}
+
+fn decimals_of(text: &[u8]) -> usize {
+    let split = text.iter().position(|byte| matches!(byte, b'e' | b'E')).unwrap_or(text.len());
+    let (mantissa, exponent) = text.split_at(split);
+    let places = mantissa.iter().position(|&byte| byte == b'.').map_or(0, |point| mantissa.len() - point - 1);
+    let shift: i64 = std::str::from_utf8(exponent.get(1..).unwrap_or_default())
+        .ok()
+        .and_then(|digits| digits.parse().ok())
+        .unwrap_or(0);
+    usize::try_from((places as i64).saturating_sub(shift)).unwrap_or(0).min(17)
+}
+
+/// `value` with `decimals` digits after the point, in the style of `field`: a leading `+` stays, a negative zero is
+/// written without its sign, a fixed column keeps its width where the digits fit.
+///
+/// Returns the range to replace (the column where there is one) and the text.
+pub fn written(field: &NumberField, original: &[u8], value: f64, decimals: usize) -> (Span, String) {
+    let mut text = format!("{value:.decimals$}");
+    if text.starts_with('-') && text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.')) {
+        text.remove(0);
+    }
+    if original.first() == Some(&b'+') && !text.starts_with('-') {
+        text.insert(0, '+');
+    }
+    if let Some(insertion) = &field.insertion {
+        return (field.span, format!("{}{text}{}", insertion.before, insertion.after));
+    }
+    match field.column {
+        Some(column) => (column, format!("{text:>width$}", width = column.len())),
+        None => (field.span, text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn field(text: &str) -> NumberField {
+        number_at(text.as_bytes(), 0).expect("a number")
+    }
+
+    #[test]
+    fn numbers_of_every_spelling() {
+        for (text, value, length, decimals) in [
+            ("1", 1.0, 1, 0),
+            ("1.", 1.0, 2, 0),
+            (".5]", 0.5, 2, 1),
+            ("-12.340,", -12.34, 7, 3),
+            ("+1E+2;", 100.0, 5, 0),
+            ("9E9", 9e9, 3, 0),
+            ("-1.2E-05", -1.2e-5, 8, 6),
+            ("1ELSE", 1.0, 1, 0),
+            ("1e+x", 1.0, 1, 0),
+        ] {
+            let field = field(text);
+            assert_eq!((field.value, field.span.len(), field.decimals), (value, length, decimals), "{text}");
+        }
+        for text in ["", "-", ".", "e5", "abc", "1e999"] {
+            assert!(number_at(text.as_bytes(), 0).is_none(), "{text}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_written_in_the_style_of_their_field() {
+        let plain = field("-12.34");
+        assert_eq!(written(&plain, b"-12.34", -0.00001, 3).1, "0.000");
+        assert_eq!(written(&plain, b"+12.34", 1.5, 2).1, "+1.50");
+        let column = NumberField { column: Some(Span::new(0, 9)), ..field("1.5") };
+        assert_eq!(written(&column, b"1.5", 2.25, 3), (Span::new(0, 9), "    2.250".into()));
+        let insertion = Some(Box::new(Insertion { before: " x=\"".into(), after: "\"".into() }));
+        let absent = NumberField { span: Span::new(7, 7), insertion, ..field("0") };
+        assert_eq!(written(&absent, b"", 2.25, 2), (Span::new(7, 7), " x=\"2.25\"".into()));
+    }
+
+    #[test]
+    fn words_end_where_names_end() {
+        assert!(starts_with_word(b"MoveL p", "movel"));
+        assert!(!starts_with_word(b"MoveLDO p", "movel"));
+    }
+}

@@ -1,0 +1,255 @@
+//! What a dialect finds in a program: targets with their numbers, the moves that use them, and the tools, frames and
+//! loads that the program itself defines.
+//!
+//! Everything here is what the text says, in the file's own units and frames; nothing is decided yet.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::base::diagnostic::Diagnostic;
+use crate::base::text::Span;
+use crate::geometry::orientation::OrientationConvention;
+use crate::geometry::pose::Pose;
+
+use super::number::NumberField;
+
+/// Everything that a dialect read from the files of one job.
+#[derive(Clone, Debug, Default)]
+pub struct Program {
+    /// All targets, in the order of their place in the files.
+    pub targets: Vec<Target>,
+    /// Tools that the program defines itself, by name as [`Program::key`] spells it.
+    pub tools: BTreeMap<String, Definition<ToolData>>,
+    /// Frames (work objects, bases, user frames) that the program defines itself.
+    pub frames: BTreeMap<String, Definition<FrameData>>,
+    /// Loads that the program defines itself.
+    pub loads: BTreeMap<String, Definition<LoadData>>,
+    /// What the reader has to say: broken lines, suspicious units, a missing end.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// A definition in the program: its value, or why the value is not in the text.
+#[derive(Clone, Debug)]
+pub struct Definition<T> {
+    /// File of the job.
+    pub file: usize,
+    /// Where it stands.
+    pub span: Span,
+    /// The value, or the reason why it is known only at run time.
+    pub value: Result<T, String>,
+}
+
+/// A tool as a program defines it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToolData {
+    /// The TCP in the flange; for a stationary tool, the TCP in the world.
+    pub pose: Pose,
+    /// False for a stationary tool: the robot holds the work piece.
+    pub held_by_robot: bool,
+    /// The tool's own mass and centre of mass, if declared.
+    pub load: Option<LoadData>,
+}
+
+/// A frame as a program defines it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameData {
+    /// The frame in the robot base; for a work piece in the gripper, in the flange.
+    pub pose: Pose,
+    /// True when the robot holds the work piece (with a stationary tool).
+    pub held_by_robot: bool,
+}
+
+/// A mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoadData {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Centre of mass, metres: in the flange for a tool's own load, in the tool for a gripped part.
+    pub center_of_mass_m: [f64; 3],
+}
+
+/// A position in a program.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// File of the job that holds it.
+    pub file: usize,
+    /// Its name, if it has one; inline targets have none.
+    pub name: Option<String>,
+    /// The whole target in the text.
+    pub span: Span,
+    /// Its numbers.
+    pub value: TargetValue,
+    /// Why its value is not in the text, if it is not: assigned at run time, arithmetic, untaught.
+    pub computed: Option<String>,
+    /// Configuration data, as far as the language has any.
+    pub configuration: Configuration,
+    /// Values of additional axes, as written (mm or deg).
+    pub external_axes: Vec<ExternalAxis>,
+    /// The moves that go there, in the order in which they stand in the program.
+    pub uses: Vec<Use>,
+}
+
+/// The numbers of a target.
+#[derive(Clone, Debug)]
+pub enum TargetValue {
+    /// A pose in a frame.
+    Cartesian(Box<CartesianNumbers>),
+    /// Six joint values.
+    Joint(Box<JointNumbers>),
+    /// A constant displacement of another target (RAPID `Offs`, `RelTool`): the numbers are those of the displacement.
+    Displaced(Box<Displacement>),
+    /// Nothing that could be read: a step without a recorded pose, an expression.
+    Unwritten,
+}
+
+/// Unit of length or angle in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Units {
+    /// Length numbers are metres (else millimetres).
+    pub metres: bool,
+    /// Angle numbers are radians (else degrees).
+    pub radians: bool,
+}
+
+impl Units {
+    /// Millimetres and degrees: what almost every language writes.
+    pub const MM_DEG: Units = Units { metres: false, radians: false };
+    /// Metres and radians.
+    pub const M_RAD: Units = Units { metres: true, radians: true };
+}
+
+/// The numbers of a pose.
+#[derive(Clone, Debug)]
+pub struct CartesianNumbers {
+    /// x, y, z.
+    pub position: [NumberField; 3],
+    /// The orientation, in the order of `convention`.
+    pub orientation: Vec<NumberField>,
+    /// What the orientation numbers mean.
+    pub convention: OrientationConvention,
+    /// Units of the numbers.
+    pub units: Units,
+}
+
+/// The numbers of a joint target: six robot axes in the controller's order and sense.
+#[derive(Clone, Debug)]
+pub struct JointNumbers {
+    /// One a joint.
+    pub joints: [NumberField; 6],
+    /// Units of the numbers (rotary axes).
+    pub units: Units,
+}
+
+/// A constant displacement of another target.
+#[derive(Clone, Debug)]
+pub struct Displacement {
+    /// Index of the displaced target in [`Program::targets`].
+    pub base: usize,
+    /// In which frame the displacement is given.
+    pub kind: DisplacementKind,
+    /// x, y, z of the displacement.
+    pub position: [NumberField; 3],
+    /// The constant turn of the displaced target against the base target.
+    pub rotation: nalgebra::Matrix3<f64>,
+    /// Units of the numbers.
+    pub units: Units,
+}
+
+/// In which frame a displacement acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DisplacementKind {
+    /// In the frame in which the base target is given (RAPID `Offs`).
+    Frame,
+    /// In the tool at the base target (RAPID `RelTool`).
+    Tool,
+}
+
+/// Which of the inverse kinematic solutions the program asks for. Empty: the language says nothing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Configuration {
+    /// A joint must lie in an interval of its controller angle: `(joint from 0, min_deg, max_deg)`.
+    pub joint_intervals_deg: Vec<(usize, f64, f64)>,
+    /// The wrist centre lies behind axis 1.
+    pub rear: Option<bool>,
+    /// The elbow is bent the other way (wrist centre behind the lower arm; elbow below the line shoulder - wrist).
+    pub elbow_down: Option<bool>,
+    /// Axis 5 stands on its negative side.
+    pub wrist_negative: Option<bool>,
+    /// Joint values near which the solution lies, degrees, where the language gives them.
+    pub near_joints_deg: Option<[f64; 6]>,
+}
+
+/// An additional axis of a target.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExternalAxis {
+    /// The language's name for it: `eax_a`, `E1`, `J7`.
+    pub name: String,
+    /// Its value as written.
+    pub value: f64,
+}
+
+/// A move to a target.
+#[derive(Clone, Debug)]
+pub struct Use {
+    /// File of the job that holds the move.
+    pub file: usize,
+    /// The statement.
+    pub span: Span,
+    /// The word of the language: `MoveL`, `LIN`, `L`.
+    pub motion: Arc<str>,
+    /// How the arm travels there.
+    pub path: PathKind,
+    /// The tool in force.
+    pub tool: Reference,
+    /// The frame in force.
+    pub frame: Reference,
+    /// The load carried on top of the tool's own, if the program says so.
+    pub grip_load: Reference,
+    /// Why this move does not simply go to the target, if so: a displacement set at run time, a search, a
+    /// positioner that moves along.
+    pub computed: Option<String>,
+}
+
+/// How a move travels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PathKind {
+    /// Joint interpolation.
+    Joint,
+    /// A straight line of the TCP.
+    Linear,
+    /// The via point of an arc.
+    ArcVia,
+    /// The end point of an arc.
+    ArcEnd,
+    /// Something else, or unknown.
+    Other,
+}
+
+/// What a move says about its tool, frame or load.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub enum Reference {
+    /// The program names none: the robot's own.
+    #[default]
+    Unnamed,
+    /// A name, to be looked up in the program, then in the cell file. Spelled as [`Program::key`] gives it.
+    Named(Arc<str>),
+    /// Known only at run time, with the reason.
+    Runtime(String),
+}
+
+impl Program {
+    /// Names are compared without regard to case: the spelling under which definitions are filed.
+    pub fn key(name: &str) -> String {
+        name.to_lowercase()
+    }
+}
+
+impl Target {
+    /// `cartesian` or `joint`, as reports say it.
+    pub fn kind(&self) -> &'static str {
+        match self.value {
+            TargetValue::Joint(_) => "joint",
+            _ => "cartesian",
+        }
+    }
+}
