@@ -2,4 +2,5 @@
 
 pub mod base;
 pub mod geometry;
+pub mod model;
 pub mod program;
