@@ -126,8 +126,8 @@ pub struct ArmState<T: ModelScalar> {
     pub statics: Statics<T>,
 }
 
-/// Change of the deflection, rad, below which the equilibrium counts as reached: 0.03 nm at 3 m.
-const EQUILIBRIUM_RAD: f64 = 1e-11;
+/// Change of the deflection, rad, below which the equilibrium counts as reached: 0.3 nm at 3 m.
+const EQUILIBRIUM_RAD: f64 = 1e-10;
 /// Rounds after which an equilibrium that still moves is called unstable. Compliances contract by 1e-3 a round.
 const EQUILIBRIUM_ROUNDS: usize = 40;
 
@@ -174,11 +174,6 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
             let angles = row_angles(robot, &standing, &self.loop_errors)?;
             let chain = self.rows.at(&angles.theta_rad, &response);
             let statics = Statics::of(robot, &chain, &angles, &load);
-            if change_rad < EQUILIBRIUM_RAD {
-                let base_t_flange = self.flange(&chain, &commanded, &statics, conditions);
-                let actuators_rad = commanded;
-                return Ok(ArmState { base_t_flange, chain, angles, actuators_rad, response, statics });
-            }
             let context = Context {
                 robot,
                 conditions,
@@ -191,6 +186,10 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
             let next = self.respond(&context);
             change_rad = largest_change(&next, &response);
             response = next;
+            if change_rad < EQUILIBRIUM_RAD {
+                let base_t_flange = self.flange(&chain, &commanded, &statics, conditions);
+                return Ok(ArmState { base_t_flange, chain, angles, actuators_rad: commanded, response, statics });
+            }
         }
         Err(ArmError::NoEquilibrium { change_rad })
     }
