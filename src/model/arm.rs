@@ -167,6 +167,7 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         }
         let mut response = start.copied().unwrap_or_else(Response::none);
         let mut change_rad = f64::INFINITY;
+        let mut settled = 0;
         for _ in 0..EQUILIBRIUM_ROUNDS {
             let standing: [T; DOF] = std::array::from_fn(|joint| {
                 commanded[joint] + self.parameters.rows[joint].offset_rad + response.actuators_rad[joint]
@@ -186,7 +187,8 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
             let next = self.respond(&context);
             change_rad = largest_change(&next, &response);
             response = next;
-            if change_rad < EQUILIBRIUM_RAD {
+            settled = if change_rad < EQUILIBRIUM_RAD { settled + 1 } else { 0 };
+            if settled > T::ROUNDS_FOR_DERIVATIVES {
                 let base_t_flange = self.flange(&chain, &commanded, &statics, conditions);
                 return Ok(ArmState { base_t_flange, chain, angles, actuators_rad: commanded, response, statics });
             }
@@ -345,8 +347,10 @@ mod tests {
             ParameterId::Row(3, RowQuantity::D),
             ParameterId::Loop(Rod::Crank),
             ParameterId::Effect(1, 0),
-            ParameterId::Base(4),
+            // An effect that is off has a derivative all the same: diagnosis lives on it.
+            ParameterId::Effect(5, 0),
         ];
+        model.parameters.effects[5][0] = 0.0;
         let mut dual = model.parameters.map(Dual::constant);
         for (slot, &id) in ids.iter().enumerate() {
             let number = dual.get_mut(id).expect("a parameter");
