@@ -3,6 +3,7 @@
 pub mod base;
 pub mod files;
 pub mod geometry;
+pub mod identify;
 pub mod measure;
 pub mod model;
 pub mod program;

@@ -1,0 +1,15 @@
+//! Floor 4: from recordings to the real arm. Whitened least squares on the nonlinear model, with priors, robustness,
+//! identifiability, covariance and prediction.
+//!
+//! The parts, in the order in which [`calibrate::calibrate`] uses them: [`sanity`] (is this recording of this robot?),
+//! [`place`] (base and tool in closed form), [`unknown`] and [`prior`] (what is free, and what is known before),
+//! [`problem`] (residuals and Jacobian), [`solve`] (the iteration), [`robust`] (gross errors), [`identifiability`],
+//! [`structure`] (what is left: noise or something unmodelled), [`predict`], [`report`].
+
+pub mod linear;
+pub mod place;
+pub mod prior;
+pub mod problem;
+pub mod solve;
+pub mod state;
+pub mod unknown;
