@@ -6,10 +6,13 @@
 //! [`problem`] (residuals and Jacobian), [`solve`] (the iteration), [`robust`] (gross errors), [`identifiability`],
 //! [`structure`] (what is left: noise or something unmodelled), [`predict`], [`report`].
 
+pub mod estimate;
+pub mod identifiability;
 pub mod linear;
 pub mod place;
 pub mod prior;
 pub mod problem;
+pub mod robust;
 pub mod solve;
 pub mod state;
 pub mod unknown;

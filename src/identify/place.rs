@@ -119,11 +119,8 @@ pub fn registration(body: &[Vector3<f64>], seen: &[Vector3<f64>], handedness: Ha
     }
     let mean = |points: &[Vector3<f64>]| points.iter().take(count).sum::<Vector3<f64>>() / count as f64;
     let (body_mean, seen_mean) = (mean(body), mean(seen));
-    let covariance: Matrix3<f64> = body
-        .iter()
-        .zip(seen)
-        .map(|(body, seen)| (seen - seen_mean) * (body - body_mean).transpose())
-        .sum();
+    let covariance: Matrix3<f64> =
+        body.iter().zip(seen).map(|(body, seen)| (seen - seen_mean) * (body - body_mean).transpose()).sum();
     if !covariance.iter().all(|number| number.is_finite()) {
         return None;
     }
@@ -137,12 +134,7 @@ pub fn registration(body: &[Vector3<f64>], seen: &[Vector3<f64>], handedness: Ha
 }
 
 /// Gauss-Newton on turn and shift of the base and on the tool point, together.
-fn refine(
-    mut base: Pose,
-    mut tool: Vector3<f64>,
-    flanges: &[Pose],
-    points_m: &[Vector3<f64>],
-) -> (Pose, Vector3<f64>) {
+fn refine(mut base: Pose, mut tool: Vector3<f64>, flanges: &[Pose], points_m: &[Vector3<f64>]) -> (Pose, Vector3<f64>) {
     for _ in 0..REFINEMENTS {
         let mut jacobian = DMatrix::zeros(3 * flanges.len(), 9);
         let mut right = DVector::zeros(3 * flanges.len());

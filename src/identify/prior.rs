@@ -25,8 +25,11 @@ const ROD_M: f64 = 5e-4;
 const STATED_FRAME: [f64; 2] = [1e-2, 1e-2];
 /// A base, tool or station that was found from the recording itself, m and rad: free but for numerical safety.
 const FOUND_FRAME: [f64; 2] = [0.2, 0.2];
-/// Twist of a drive train under its largest torque, rad.
+/// Twist of a drive train under its largest torque, rad ...
 const DEFLECTION_RAD: f64 = 3e-3;
+/// ... unless that makes it softer than the softest drives, rad/Nm: where hardly any torque acts, the recording says
+/// nothing of the stiffness and must not be asked.
+const SOFTEST_RAD_PER_NM: f64 = 5e-5;
 /// Other effects: this many times their usual size.
 const TYPICAL: f64 = 5.0;
 
@@ -68,7 +71,7 @@ fn effect_prior(effect: usize, parameter: usize, nominal: &ArmModel, largest_tor
     }
     let joint = instance.location.joint_index().unwrap_or(0);
     let torque = largest_torque_nm.get(joint).copied().unwrap_or(0.0);
-    let sigma = if torque > 0.0 { DEFLECTION_RAD / torque } else { typical };
+    let sigma = (DEFLECTION_RAD / torque.max(f64::MIN_POSITIVE)).min(SOFTEST_RAD_PER_NM);
     Prior { mean: nominal.robot.compliance_rad_per_nm[joint], sigma }
 }
 

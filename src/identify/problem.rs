@@ -172,10 +172,7 @@ impl<T> Rows<T> {
     }
 }
 
-fn arm_at<T: ModelScalar>(
-    prepared: &PreparedArm<'_, T>,
-    observation: &Observation,
-) -> Result<ArmState<T>, ArmError> {
+fn arm_at<T: ModelScalar>(prepared: &PreparedArm<'_, T>, observation: &Observation) -> Result<ArmState<T>, ArmError> {
     prepared.at(&observation.numbers_rad.map(T::constant), &observation.conditions, None)
 }
 
