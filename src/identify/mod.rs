@@ -9,10 +9,13 @@
 pub mod estimate;
 pub mod identifiability;
 pub mod linear;
+pub mod outlier;
 pub mod place;
 pub mod prior;
 pub mod problem;
 pub mod robust;
+pub mod sanity;
 pub mod solve;
+pub mod split;
 pub mod state;
 pub mod unknown;

@@ -15,8 +15,6 @@ pub struct Placement {
     pub misfit_m: Vec<f64>,
     /// Their median, m: typical, whatever a few gross errors do.
     pub typical_misfit_m: f64,
-    /// True when measured points had to be mirrored (see [`Handedness`]).
-    pub mirrored: bool,
 }
 
 /// Whether the measuring frame may be left-handed.
@@ -72,8 +70,7 @@ pub fn place(
         best.sort_unstable();
         let settled = best == kept;
         kept = best;
-        let mirrored = handedness == Handedness::Left;
-        placed = Some(Placement { measuring_t_base: base, tool_m: tool, misfit_m, typical_misfit_m, mirrored });
+        placed = Some(Placement { measuring_t_base: base, tool_m: tool, misfit_m, typical_misfit_m });
         if settled {
             break;
         }
