@@ -20,6 +20,8 @@ pub struct Estimate<'a> {
     pub fit: Fit,
     /// What the fit leaves.
     pub spread: Spread,
+    /// By what the sigmas of positions were multiplied to get there.
+    pub scale: f64,
 }
 
 /// Size of what a fit leaves: noise and all that is not modelled.
@@ -77,7 +79,7 @@ pub fn estimate<'a>(
                     .map(|_| root_mean_square(problem.records.iter().map(|record| record.sigma_rad))),
                 freedom: left.position.freedom,
             };
-            return Ok(Estimate { problem, fit, spread });
+            return Ok(Estimate { problem, fit, spread, scale: by_position });
         }
         (by_position, by_rotation) = (next_position, next_rotation);
         state = fit.state;

@@ -6,11 +6,16 @@
 //! [`problem`] (residuals and Jacobian), [`solve`] (the iteration), [`robust`] (gross errors), [`identifiability`],
 //! [`structure`] (what is left: noise or something unmodelled), [`predict`], [`report`].
 
+pub mod ball;
 pub mod estimate;
+pub mod gather;
 pub mod identifiability;
+#[expect(clippy::module_inception, reason = "the module does what its floor is named for")]
+pub mod identify;
 pub mod linear;
 pub mod outlier;
 pub mod place;
+pub mod predict;
 pub mod prior;
 pub mod problem;
 pub mod robust;
@@ -18,4 +23,6 @@ pub mod sanity;
 pub mod solve;
 pub mod split;
 pub mod state;
+pub mod stations;
+pub mod structure;
 pub mod unknown;

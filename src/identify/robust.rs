@@ -150,17 +150,16 @@ pub fn deviations(
     residuals: &DVector<f64>,
     whitened_jacobian: &DMatrix<f64>,
     in_fit: &[bool],
-    sigma_m: f64,
 ) -> Vec<f64> {
     let spread = whitened_jacobian * &fit.covariance_root;
     problem
         .first_rows()
         .into_iter()
-        .zip(in_fit)
-        .map(|(first, &inside)| {
+        .zip(problem.records.iter().zip(in_fit))
+        .map(|(first, (record, &inside))| {
             let leverage = spread.fixed_rows::<3>(first).norm_squared() / 3.0;
             let variance = if inside { (1.0 - leverage).max(0.05) } else { 1.0 + leverage };
-            residuals.fixed_rows::<3>(first).norm() / (sigma_m * variance.sqrt())
+            residuals.fixed_rows::<3>(first).norm() / (record.sigma_m * variance.sqrt())
         })
         .collect()
 }

@@ -12,3 +12,4 @@ pub mod network;
 pub mod parameters;
 pub mod robot;
 pub mod statics;
+pub mod uncertainty;
