@@ -2,5 +2,6 @@
 
 pub mod base;
 pub mod geometry;
+pub mod kinematics;
 pub mod model;
 pub mod program;
