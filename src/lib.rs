@@ -1,6 +1,7 @@
 //! Corrects robot programs for the robot that is really there.
 
 pub mod base;
+pub mod files;
 pub mod geometry;
 pub mod kinematics;
 pub mod model;

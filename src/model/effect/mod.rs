@@ -138,6 +138,39 @@ pub enum Place {
     Clock,
 }
 
+impl Place {
+    /// The fields of [`Location`] that name this place.
+    pub fn fields(self) -> &'static [&'static str] {
+        match self {
+            Place::Joint => &["joint"],
+            Place::JointOrder => &["joint", "order"],
+            Place::JointPair => &["joint", "source_joint"],
+            Place::Link => &["link"],
+            Place::Base => &["base"],
+            Place::Payload => &["payload"],
+            Place::Frame => &["frame"],
+            Place::FrameMoment => &["frame", "at_s"],
+            Place::Clock => &["clock"],
+        }
+    }
+
+    /// True when a location has exactly these fields (a reference value may come with any).
+    pub fn fits(self, location: &Location) -> bool {
+        let present = [
+            ("joint", location.joint_index().is_some()),
+            ("source_joint", location.source_index().is_some()),
+            ("link", location.link_index().is_some()),
+            ("order", location.order.is_some_and(|order| order.is_finite() && order > 0.0)),
+            ("frame", location.frame.is_some()),
+            ("at_s", location.at_s.is_some_and(f64::is_finite)),
+            ("payload", location.payload == Some(true)),
+            ("base", location.base == Some(true)),
+            ("clock", location.clock == Some(true)),
+        ];
+        present.iter().all(|(field, is_there)| self.fields().contains(field) == *is_there)
+    }
+}
+
 /// One parameter of an effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParameterMeta {
@@ -321,6 +354,10 @@ impl<P: Physics> Effect for P {
 
 /// The scalars that the model runs on: picks the entry of an [`Effect`].
 pub trait ModelScalar: Real {
+    /// Further rounds towards equilibrium after the value has settled: derivatives follow a round behind, each round
+    /// a thousand times nearer.
+    const ROUNDS_FOR_DERIVATIVES: usize;
+
     /// [`Physics::load`].
     fn load(
         effect: &dyn Effect,
@@ -340,6 +377,8 @@ pub trait ModelScalar: Real {
 }
 
 impl ModelScalar for f64 {
+    const ROUNDS_FOR_DERIVATIVES: usize = 0;
+
     fn load(effect: &dyn Effect, at: &Location, parameters: &[f64], actuators_rad: &[f64; DOF], load: &mut Load<f64>) {
         effect.load_plain(at, parameters, actuators_rad, load);
     }
@@ -355,6 +394,8 @@ impl ModelScalar for f64 {
 }
 
 impl ModelScalar for Dual {
+    const ROUNDS_FOR_DERIVATIVES: usize = 3;
+
     fn load(
         effect: &dyn Effect,
         at: &Location,
