@@ -3,5 +3,6 @@
 pub mod base;
 pub mod files;
 pub mod geometry;
+pub mod kinematics;
 pub mod model;
 pub mod program;
