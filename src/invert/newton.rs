@@ -7,10 +7,10 @@
 use nalgebra::{Matrix6, Vector6};
 
 use crate::geometry::pose::{Pose, pose_difference};
-use crate::kinematics::jacobian::flange_jacobian;
 use crate::model::arm::{ArmError, ArmModel, ArmState, PreparedArm};
 use crate::model::chain::displacement_pose;
 use crate::model::conditions::Conditions;
+use crate::model::jacobian::jacobian_from_chain as flange_jacobian;
 use crate::model::robot::{DOF, LimitViolation, Robot};
 
 /// Remaining error at which a pose counts as reached: 0.05 um and 0.05 urad, a twentieth of what is promised.
@@ -73,7 +73,7 @@ pub enum InversionError {
         left_rad: f64,
     },
     /// The corrected command lies outside a joint's limits.
-    #[error("joint limit after correction: {0:?}")]
+    #[error("after correction {0}")]
     Limit(LimitViolation),
 }
 
@@ -121,7 +121,8 @@ impl<'a> RealArm<'a> {
             if iterations == MOST_STEPS {
                 return Err(stuck);
             }
-            let step = step(&flange_jacobian(self.robot(), &state.chain, &state.angles), &error).ok_or(stuck.clone())?;
+            let step =
+                step(&flange_jacobian(self.robot(), &state.chain, &state.angles), &error).ok_or(stuck.clone())?;
             for (number, turn) in numbers_rad.iter_mut().zip(&step) {
                 *number += turn;
             }

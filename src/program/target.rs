@@ -229,7 +229,7 @@ pub enum PathKind {
 }
 
 /// What a move says about its tool, frame or load.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Reference {
     /// The program names none: the robot's own.
     #[default]

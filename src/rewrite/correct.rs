@@ -5,11 +5,11 @@ use crate::base::text::Source;
 use crate::files::calibration::Region;
 use crate::files::cell::Cell;
 use crate::geometry::pose::{Pose, pose_difference};
-use crate::invert::{Correction, InversionError, MeantPose, RealArm};
-use crate::kinematics::{Controller, NoSolution};
+use crate::invert::{Correction, MeantPose, RealArm};
+use crate::kinematics::controller::Controller;
 use crate::model::arm::ArmModel;
 use crate::model::conditions::Conditions;
-use crate::model::robot::{DOF, LimitViolation};
+use crate::model::robot::DOF;
 use crate::program::number::NumberRules;
 use crate::program::target::{Displacement, Program, TargetValue};
 
@@ -166,14 +166,10 @@ impl Work<'_> {
         let is_joint = matches!(self.job.program.targets[index].value, TargetValue::Joint(_));
         let written = if is_joint { setting.target(&forward(nominal_rad)?) } else { visit.written };
         let meant = MeantPose { base_t_flange: setting.meant_flange(&written), conditions };
-        let correction = self.arm.command(&meant, nominal_rad).map_err(|error| {
-            Obstacle::refused(match &error {
-                InversionError::Limit(violation) => limit_sentence(violation),
-                _ => error.to_string(),
-            })
-        })?;
+        let correction = self.arm.command(&meant, nominal_rad).map_err(|error| Obstacle::refused(error.to_string()))?;
         // With nothing to correct the target stays the very numbers it was.
-        let after = if correction.iterations == 0 { written } else { setting.target(&forward(&correction.numbers_rad)?) };
+        let after =
+            if correction.iterations == 0 { written } else { setting.target(&forward(&correction.numbers_rad)?) };
         let lands_before = self.lands(setting, nominal_rad, conditions)?;
         Ok(figures(&correction, *nominal_rad, written, after, lands_before))
     }
@@ -193,15 +189,8 @@ impl Work<'_> {
         };
         let meant = visit.written;
         let start = displaced::displaced(&base_figures.after, displacement);
-        let landing = displaced::land_position(
-            &self.arm,
-            self.controller,
-            setting,
-            conditions,
-            &meant,
-            &start,
-            nominal_rad,
-        )?;
+        let landing =
+            displaced::land_position(&self.arm, self.controller, setting, conditions, &meant, &start, nominal_rad)?;
         if landing.orientation_left_rad > DISPLACED_ORIENTATION_RAD {
             return Err(Obstacle::computed(format!(
                 "displaced too far from its base target: {:.4} deg of orientation error would stay",
@@ -209,7 +198,7 @@ impl Work<'_> {
             )));
         }
         if let Some(violation) = self.arm.robot().limit_violation(&landing.numbers_rad, 0.0) {
-            return Err(Obstacle::refused(limit_sentence(&violation)));
+            return Err(Obstacle::refused(violation.to_string()));
         }
         let lands_before = self.lands(setting, nominal_rad, conditions)?;
         let (shift, turn) = pose_difference(&landing.target, &meant);
@@ -262,13 +251,7 @@ impl Work<'_> {
     }
 }
 
-fn figures(
-    correction: &Correction,
-    nominal_rad: [f64; DOF],
-    before: Pose,
-    after: Pose,
-    lands_before: Pose,
-) -> Figures {
+fn figures(correction: &Correction, nominal_rad: [f64; DOF], before: Pose, after: Pose, lands_before: Pose) -> Figures {
     let (shift, turn) = pose_difference(&after, &before);
     Figures {
         correction_m: shift.norm(),
@@ -305,22 +288,4 @@ fn check_region(region: &Region, numbers_rad: &[f64; DOF]) -> Result<(), Obstacl
         }
     }
     Ok(())
-}
-
-/// A limit violation as a sentence.
-pub(super) fn limit_sentence(violation: &LimitViolation) -> String {
-    let (value, min, max) =
-        (violation.value_rad.to_degrees(), violation.min_rad.to_degrees(), violation.max_rad.to_degrees());
-    match violation.joint {
-        Some(joint) => format!("joint {} at {value:.3} deg lies outside its limits {min:.3} to {max:.3} deg", joint + 1),
-        None => format!("the parallelogram's passive joint at {value:.3} deg lies outside {min:.3} to {max:.3} deg"),
-    }
-}
-
-/// No inverse as a sentence.
-pub(super) fn no_solution_sentence(error: &NoSolution) -> String {
-    match error {
-        NoSolution::JointLimit(violation) => limit_sentence(violation),
-        other => other.to_string(),
-    }
 }

@@ -82,7 +82,8 @@ pub fn write_pose(
     }
     let quaternion = numbers.convention.is_quaternion();
     let unit = if quaternion { 1.0 } else { numbers.units.angle_rad() };
-    let exact: Vec<f64> = numbers.convention.numbers(&pose.rotation, &near).iter().map(|number| number / unit).collect();
+    let exact: Vec<f64> =
+        numbers.convention.numbers(&pose.rotation, &near).iter().map(|number| number / unit).collect();
     let read = |values: &[f64]| {
         let in_radians: Vec<f64> = values.iter().map(|value| value * unit).collect();
         numbers.convention.rotation(&in_radians)
@@ -108,9 +109,7 @@ pub fn write_position(
     let unit = units.length_m();
     let fields: Vec<&NumberField> = position.iter().collect();
     let exact: Vec<f64> = exact_m.iter().map(|length| if units.metres { *length } else { length * 1e3 }).collect();
-    let error = |values: &[f64]| {
-        values.iter().zip(&exact).map(|(a, b)| ((a - b) * unit).powi(2)).sum::<f64>().sqrt()
-    };
+    let error = |values: &[f64]| values.iter().zip(&exact).map(|(a, b)| ((a - b) * unit).powi(2)).sum::<f64>().sqrt();
     let decimals = write_group(&fields, &exact, unit, rules, error);
     let as_read = push_group(edits, source, &fields, &exact, &decimals);
     let mut read_back = position.clone();
@@ -133,9 +132,8 @@ pub fn write_joints(
     let fields: Vec<&NumberField> = numbers.joints.iter().collect();
     let exact: Vec<f64> = exact_rad.iter().map(|angle| angle / unit).collect();
     // A joint's error moves the tool by at most its angle times the reach.
-    let error = |values: &[f64]| {
-        values.iter().zip(&exact).map(|(a, b)| (a - b).abs() * unit * reach_m.max(1.0)).sum::<f64>()
-    };
+    let error =
+        |values: &[f64]| values.iter().zip(&exact).map(|(a, b)| (a - b).abs() * unit * reach_m.max(1.0)).sum::<f64>();
     let decimals = write_group(&fields, &exact, unit * 2.0 * reach_m.max(1.0), rules, error);
     let as_read = push_group(edits, source, &fields, &exact, &decimals);
     std::array::from_fn(|joint| as_read[joint] * unit)

@@ -4,7 +4,8 @@
 //! land exactly, with the orientation that the corrected base target has; what that leaves in orientation is told.
 
 use crate::geometry::pose::{Pose, pose_difference};
-use crate::kinematics::Controller;
+use crate::kinematics::choose::Wish;
+use crate::kinematics::controller::Controller;
 use crate::model::conditions::Conditions;
 use crate::model::robot::DOF;
 use crate::program::target::{Displacement, DisplacementKind, position_m};
@@ -67,10 +68,9 @@ pub fn land_position(
     for rounds in 0..MOST_ROUNDS {
         let flange = setting.nominal_flange(&target);
         let branches = controller.inverse(&flange);
-        let wish = crate::kinematics::Wish::default();
         let choice = branches
-            .and_then(|branches| controller.choose(&branches, &wish, Some(&near)))
-            .map_err(|error| Obstacle::refused(super::correct::no_solution_sentence(&error)))?;
+            .and_then(|branches| controller.choose(&branches, &Wish::default(), Some(&near)))
+            .map_err(|error| Obstacle::refused(error.to_string()))?;
         near = choice.numbers_rad;
         let real = arm.flange(&near, conditions).map_err(|error| Obstacle::refused(error.to_string()))?;
         let (miss, turned) = pose_difference(meant, &setting.landed(&real));

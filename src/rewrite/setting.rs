@@ -211,10 +211,9 @@ fn mass_of(load: &LoadData) -> Mass {
 fn carried_mass(tool: &Tool, grip: Option<Mass>) -> Option<Mass> {
     let declared = |mass: Mass| (mass.mass_kg > UNDECLARED_KG).then_some(mass);
     let own = tool.load.and_then(declared);
-    let gripped = grip.and_then(declared).map(|mass| Mass {
-        center_of_mass_m: tool.nominal.transform_point(&mass.center_of_mass_m),
-        ..mass
-    });
+    let gripped = grip
+        .and_then(declared)
+        .map(|mass| Mass { center_of_mass_m: tool.nominal.transform_point(&mass.center_of_mass_m), ..mass });
     match (own, gripped) {
         (Some(a), Some(b)) => {
             let mass_kg = a.mass_kg + b.mass_kg;

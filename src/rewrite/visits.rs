@@ -4,8 +4,8 @@
 use nalgebra::Vector6;
 
 use crate::geometry::pose::{Pose, pose_difference};
-use crate::kinematics::jacobian::flange_jacobian;
-use crate::kinematics::{Controller, Wish};
+use crate::kinematics::choose::Wish;
+use crate::kinematics::controller::Controller;
 use crate::model::robot::DOF;
 use crate::program::target::{Configuration, PathKind, Program, TargetValue};
 
@@ -33,7 +33,12 @@ pub struct Visit {
 const STILL_RAD: f64 = 1e-7;
 
 /// Follows the program through its static moves, in the order in which they stand in the text.
-pub fn follow(program: &Program, settings: &mut Settings<'_>, controller: &Controller, joint_targets: bool) -> Vec<Visit> {
+pub fn follow(
+    program: &Program,
+    settings: &mut Settings<'_>,
+    controller: &Controller,
+    joint_targets: bool,
+) -> Vec<Visit> {
     let mut arrivals: Vec<(usize, usize)> = Vec::new();
     for (index, target) in program.targets.iter().enumerate() {
         let (class, _) = class_by_text(target);
@@ -64,7 +69,8 @@ pub fn follow(program: &Program, settings: &mut Settings<'_>, controller: &Contr
             previous = Some((*numbers, flange));
         }
         let stands_still = class_by_text(&program.targets[target]).0 == Class::Joint && !joint_targets;
-        let nominal_rad = if stands_still { Err(Obstacle { class: Class::Joint, reason: String::new() }) } else { nominal_rad };
+        let nominal_rad =
+            if stands_still { Err(Obstacle { class: Class::Joint, reason: String::new() }) } else { nominal_rad };
         visits.push(Visit { target, one_use, setting, nominal_rad, written, approach });
     }
     visits
@@ -82,7 +88,7 @@ fn arrive(
         let numbers_rad = numbers.numbers_rad();
         let within = match controller.robot().limit_violation(&numbers_rad, LIMIT_SLACK_RAD) {
             None => Ok(numbers_rad),
-            Some(violation) => Err(Obstacle::refused(super::correct::limit_sentence(&violation))),
+            Some(violation) => Err(Obstacle::refused(violation.to_string())),
         };
         return (Pose::identity(), within);
     }
@@ -95,10 +101,11 @@ fn arrive(
     };
     let flange = setting.nominal_flange(&written);
     let branches = controller.inverse(&flange);
-    let choice = branches.and_then(|branches| controller.choose(&branches, &wish(&target.configuration), previous.as_ref()));
+    let choice =
+        branches.and_then(|branches| controller.choose(&branches, &wish(&target.configuration), previous.as_ref()));
     match choice {
         Ok(choice) => (written, Ok(choice.numbers_rad)),
-        Err(error) => (written, Err(Obstacle::refused(super::correct::no_solution_sentence(&error)))),
+        Err(error) => (written, Err(Obstacle::refused(error.to_string()))),
     }
 }
 
@@ -120,16 +127,19 @@ pub fn written_pose(program: &Program, value: &TargetValue) -> Option<Pose> {
 }
 
 fn wish(configuration: &Configuration) -> Wish {
+    let mut intervals_rad = [None; DOF];
+    for &(joint, min_deg, max_deg) in &configuration.joint_intervals_deg {
+        if let Some(interval) = intervals_rad.get_mut(joint) {
+            *interval = Some((min_deg.to_radians(), max_deg.to_radians()));
+        }
+    }
     Wish {
-        joint_intervals_rad: configuration
-            .joint_intervals_deg
-            .iter()
-            .map(|&(joint, min, max)| (joint, min.to_radians(), max.to_radians()))
-            .collect(),
+        intervals_rad,
         rear: configuration.rear,
         elbow_down: configuration.elbow_down,
         wrist_negative: configuration.wrist_negative,
         near_rad: configuration.near_joints_deg.map(|joints| joints.map(f64::to_radians)),
+        ..Wish::default()
     }
 }
 
@@ -156,8 +166,7 @@ fn senses(
 
 /// Joint speeds with which a straight line arrives, per length of the line.
 fn speed_at_end(controller: &Controller, numbers: &[f64; DOF], from: &Pose, to: &Pose) -> Option<[f64; DOF]> {
-    let (chain, angles) = controller.chain(numbers).ok()?;
-    let jacobian = flange_jacobian(controller.robot(), &chain, &angles);
+    let jacobian = controller.jacobian(numbers).ok()?;
     let (shift, turn) = pose_difference(to, from);
     let twist = Vector6::new(shift.x, shift.y, shift.z, turn.x, turn.y, turn.z);
     let speed = jacobian.lu().solve(&twist)?;
