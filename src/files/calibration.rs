@@ -1,0 +1,478 @@
+//! Model files: `falsetarget/model/1`, what is known of the real arm. A robot file serves as one without errors.
+//! Effects files: `falsetarget/effects/1`, the same errors and effects without a robot, for simulation.
+
+use serde::{Deserialize, Serialize};
+
+use crate::base::diagnostic::Diagnostic;
+use crate::base::text::{Source, Span};
+use crate::base::units::{deg_from_rad, rad_from_deg};
+use crate::model::arm::{ArmModel, EffectInstance};
+use crate::model::effect::{self, Location};
+use crate::model::network::ResidualNetwork;
+use crate::model::parameters::{ParameterId, Rod, RowQuantity};
+use crate::model::robot::DOF;
+
+use super::error::FileError;
+use super::robot::{self, RobotEntry};
+use super::yaml::{PoseEntry, complain, parse};
+
+/// The word in the first line of a model file.
+pub const MODEL_SCHEMA: &str = "falsetarget/model/1";
+/// The word in the first line of an effects file.
+pub const EFFECTS_SCHEMA: &str = "falsetarget/effects/1";
+
+/// Largest believable geometric error, m or rad: anything beyond is a wrong unit or a wrong robot.
+const LARGEST_ERROR: f64 = 0.2;
+
+/// A model of a real arm with what is known about that knowledge.
+#[derive(Clone, Debug)]
+pub struct Calibration {
+    /// The model.
+    pub arm: ArmModel,
+    /// Standard uncertainty of parameters, in their SI unit; absent for those that were not identified.
+    pub sigma: Vec<(ParameterId, f64)>,
+    /// The joint numbers that the recordings covered.
+    pub region: Option<Region>,
+    /// Where it comes from.
+    pub provenance: Option<Provenance>,
+}
+
+/// A box of joint numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region {
+    /// Smallest number of each joint, rad.
+    pub min_rad: [f64; DOF],
+    /// Largest number of each joint, rad.
+    pub max_rad: [f64; DOF],
+}
+
+/// Where a model comes from.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Provenance {
+    /// The program and its version.
+    pub written_by: String,
+    /// Each recording's name, SHA-256 and number of records.
+    #[serde(default)]
+    pub recordings: Vec<RecordingProvenance>,
+    /// Anything a person should know: `made by hand`, `class stand-in`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
+}
+
+/// A recording that went into a model.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RecordingProvenance {
+    /// File name.
+    pub name: String,
+    /// SHA-256 of its bytes, hexadecimal.
+    pub sha256: String,
+    /// Records in it.
+    pub records: usize,
+    /// Records used.
+    pub used: usize,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ModelEntry {
+    schema: String,
+    robot: RobotEntry,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    measuring_t_base: Option<PoseEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    flange_t_tool: Option<PoseEntry>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    parameters: Vec<GeometryEntry>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    effects: Vec<EffectEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    network: Option<ResidualNetwork>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    region: Option<RegionEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    provenance: Option<Provenance>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EffectsFileEntry {
+    schema: String,
+    #[serde(default)]
+    parameters: Vec<GeometryEntry>,
+    #[serde(default)]
+    effects: Vec<EffectEntry>,
+    network: Option<ResidualNetwork>,
+    noise_sigma_mm: Option<f64>,
+    seed: Option<u64>,
+}
+
+/// An effects file: what to conceal in a simulated robot.
+#[derive(Clone, Debug)]
+pub struct EffectsFile {
+    /// The real arm that the simulation plays.
+    pub arm: ArmModel,
+    /// Noise of the simulated tracker, standard deviation per axis, m.
+    pub noise_sigma_m: f64,
+    /// Seed of the noise.
+    pub seed: u64,
+}
+
+/// `{at: joint 2, quantity: a, value: 0.31e-3, unit: m}`.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GeometryEntry {
+    at: String,
+    quantity: String,
+    value: f64,
+    unit: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma: Option<f64>,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EffectEntry {
+    effect: String,
+    location: Location,
+    parameters: Vec<ValueEntry>,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ValueEntry {
+    name: String,
+    value: f64,
+    unit: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma: Option<f64>,
+}
+
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RegionEntry {
+    min_deg: [f64; DOF],
+    max_deg: [f64; DOF],
+}
+
+#[derive(Deserialize)]
+struct SchemaOnly {
+    schema: String,
+}
+
+impl Calibration {
+    /// What a robot file alone says.
+    pub fn nominal(robot: crate::model::robot::Robot) -> Self {
+        Self { arm: ArmModel::nominal(robot), sigma: Vec::new(), region: None, provenance: None }
+    }
+}
+
+/// Reads a model file, or a robot file in its place.
+///
+/// # Errors
+/// [`FileError`] with the place.
+pub fn read(source: &Source) -> Result<Calibration, FileError> {
+    let what = "a model file (schema: falsetarget/model/1) or a robot file";
+    let schema = schema_of(source, what)?;
+    if schema == robot::SCHEMA {
+        return Ok(Calibration::nominal(robot::read(source)?));
+    }
+    if schema != MODEL_SCHEMA {
+        let message = format!("the schema is `{schema}`; expected `{MODEL_SCHEMA}` or `{}`", robot::SCHEMA);
+        return Err(complain(source, "schema", None, "schema", message));
+    }
+    let entry: ModelEntry = parse(source, what)?;
+    let mut arm = ArmModel::nominal(entry.robot.robot(source)?);
+    let finite = |key: &str, pose: Option<PoseEntry>| match pose.map(|pose| pose.pose()) {
+        Some(None) => Err(complain(source, key, None, "pose", format!("`{key}` has a number that is not finite"))),
+        Some(pose) => Ok(pose),
+        None => Ok(None),
+    };
+    if let Some(pose) = finite("measuring_t_base", entry.measuring_t_base)? {
+        arm.measuring_t_base = pose;
+    }
+    if let Some(pose) = finite("flange_t_tool", entry.flange_t_tool)? {
+        arm.flange_t_tool = pose;
+    }
+    let mut sigma = fill_geometry(source, &mut arm, &entry.parameters)?;
+    sigma.extend(fill_effects(source, &mut arm, &entry.effects)?);
+    fill_network(source, &mut arm, entry.network)?;
+    let region = entry
+        .region
+        .map(|region| Region { min_rad: region.min_deg.map(rad_from_deg), max_rad: region.max_deg.map(rad_from_deg) });
+    Ok(Calibration { arm, sigma, region, provenance: entry.provenance })
+}
+
+/// Reads an effects file for this robot.
+///
+/// # Errors
+/// [`FileError`] with the place.
+pub fn read_effects(source: &Source, robot: crate::model::robot::Robot) -> Result<EffectsFile, FileError> {
+    let what = "an effects file (schema: falsetarget/effects/1) or a model file";
+    let schema = schema_of(source, what)?;
+    if schema == MODEL_SCHEMA {
+        return Ok(EffectsFile { arm: read(source)?.arm, noise_sigma_m: 0.0, seed: 1 });
+    }
+    if schema != EFFECTS_SCHEMA {
+        let message = format!("the schema is `{schema}`; expected `{EFFECTS_SCHEMA}`");
+        return Err(complain(source, "schema", None, "schema", message));
+    }
+    let entry: EffectsFileEntry = parse(source, what)?;
+    let mut arm = ArmModel::nominal(robot);
+    fill_geometry(source, &mut arm, &entry.parameters)?;
+    fill_effects(source, &mut arm, &entry.effects)?;
+    fill_network(source, &mut arm, entry.network)?;
+    let noise_sigma_mm = entry.noise_sigma_mm.unwrap_or(0.0);
+    if !(0.0..100.0).contains(&noise_sigma_mm) {
+        let message = format!("noise of {noise_sigma_mm} mm; expected 0 to 100 mm");
+        return Err(complain(source, "noise_sigma_mm", None, "unit-scale", message));
+    }
+    debug_assert_eq!(entry.schema, EFFECTS_SCHEMA);
+    Ok(EffectsFile { arm, noise_sigma_m: noise_sigma_mm * 1e-3, seed: entry.seed.unwrap_or(1) })
+}
+
+fn schema_of(source: &Source, what: &str) -> Result<String, FileError> {
+    // The other keys belong to the schema that is named, so they are read afterwards, with that schema's own type.
+    match parse::<SchemaOnly>(source, what) {
+        Ok(only) => Ok(only.schema),
+        Err(error) if error.diagnostic.message.contains("missing field") => {
+            let missing = Diagnostic::error("schema", format!("no `schema:` key; expected {what}"));
+            Err(FileError::new(source, missing.at(0, Span::new(0, 0), "")))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+fn fill_geometry(
+    source: &Source,
+    arm: &mut ArmModel,
+    entries: &[GeometryEntry],
+) -> Result<Vec<(ParameterId, f64)>, FileError> {
+    let mut sigma = Vec::new();
+    for (index, entry) in entries.iter().enumerate() {
+        let wrong = |code, message| Err(complain(source, "parameters", Some(index), code, message));
+        let Some(id) = geometry_id(&entry.at, &entry.quantity) else {
+            let message = format!(
+                "no parameter `{}` at `{}`; joints have offset, d, a, alpha, beta; base and tool x, y, z, rx, ry, rz; \
+                 the loop crank, coupler",
+                entry.quantity, entry.at
+            );
+            return wrong("parameter", message);
+        };
+        if entry.unit != unit_of(id) {
+            let message = format!("unit `{}`; `{}` is given in {}", entry.unit, entry.quantity, unit_of(id));
+            return wrong("unit", message);
+        }
+        if !entry.value.is_finite() || entry.value.abs() > LARGEST_ERROR {
+            let message =
+                format!("an error of {} {} is no calibration error; below 0.2 is expected", entry.value, entry.unit);
+            return wrong("unit-scale", message);
+        }
+        if let Some(number) = arm.parameters.get_mut(id) {
+            *number = entry.value;
+        }
+        sigma.extend(entry.sigma.map(|sigma| (id, sigma)));
+    }
+    Ok(sigma)
+}
+
+fn fill_effects(
+    source: &Source,
+    arm: &mut ArmModel,
+    entries: &[EffectEntry],
+) -> Result<Vec<(ParameterId, f64)>, FileError> {
+    let mut sigma = Vec::new();
+    for (index, entry) in entries.iter().enumerate() {
+        let wrong = |message| complain(source, "effects", Some(index), "effect", message);
+        let effect = effect::by_id(&entry.effect).ok_or_else(|| {
+            let known: Vec<&str> = effect::EFFECTS.iter().map(|effect| effect.meta().id).collect();
+            wrong(format!("no effect `{}`; known are {}", entry.effect, known.join(", ")))
+        })?;
+        let meta = effect.meta();
+        if !meta.place.fits(&entry.location) {
+            return Err(wrong(format!("`{}` needs its place: {}", meta.id, meta.place.fields().join(", "))));
+        }
+        let mut values = vec![0.0; meta.parameters.len()];
+        let instance = arm.effects.len();
+        // A compliance that the robot file states is replaced, not doubled.
+        let same_place = |known: &EffectInstance| known.effect.meta().id == meta.id && known.location == entry.location;
+        let at = arm.effects.iter().position(same_place).unwrap_or(instance);
+        for value in &entry.parameters {
+            let Some(slot) = meta.parameters.iter().position(|parameter| parameter.name == value.name) else {
+                return Err(wrong(format!("`{}` has no parameter `{}`", meta.id, value.name)));
+            };
+            if value.unit != meta.parameters[slot].unit || !value.value.is_finite() {
+                let unit = meta.parameters[slot].unit;
+                return Err(wrong(format!("parameter `{}` is a finite number in {unit}", value.name)));
+            }
+            values[slot] = value.value;
+            sigma.extend(value.sigma.map(|sigma| (ParameterId::Effect(at, slot), sigma)));
+        }
+        if at == instance {
+            arm.effects.push(EffectInstance { effect, location: entry.location });
+            arm.parameters.effects.push(values);
+        } else {
+            arm.parameters.effects[at] = values;
+        }
+    }
+    Ok(sigma)
+}
+
+fn fill_network(source: &Source, arm: &mut ArmModel, network: Option<ResidualNetwork>) -> Result<(), FileError> {
+    if let Some(network) = &network {
+        network.check().map_err(|error| complain(source, "network", None, "network", error.to_string()))?;
+    }
+    arm.network = network;
+    Ok(())
+}
+
+/// The text of a model file.
+///
+/// # Errors
+/// [`serde_yaml::Error`] when the library cannot write it, which no model is known to cause.
+pub fn write(calibration: &Calibration) -> Result<String, serde_yaml::Error> {
+    let arm = &calibration.arm;
+    let sigma_of = |id: ParameterId| calibration.sigma.iter().find(|(known, _)| *known == id).map(|(_, sigma)| *sigma);
+    let parameters = geometry_ids()
+        .filter_map(|id| {
+            let value = arm.parameters.clone().get_mut(id).copied()?;
+            let sigma = sigma_of(id);
+            if value == 0.0 && sigma.is_none() {
+                return None;
+            }
+            let (at, quantity) = geometry_name(id)?;
+            Some(GeometryEntry { at, quantity, value, unit: unit_of(id).into(), sigma })
+        })
+        .collect();
+    let effects = arm
+        .effects
+        .iter()
+        .zip(&arm.parameters.effects)
+        .enumerate()
+        .filter(|(_, (_, values))| values.iter().any(|&value| value != 0.0))
+        .map(|(index, (instance, values))| EffectEntry {
+            effect: instance.effect.meta().id.into(),
+            location: instance.location,
+            parameters: instance
+                .effect
+                .meta()
+                .parameters
+                .iter()
+                .zip(values)
+                .enumerate()
+                .map(|(slot, (meta, &value))| ValueEntry {
+                    name: meta.name.into(),
+                    value,
+                    unit: meta.unit.into(),
+                    sigma: sigma_of(ParameterId::Effect(index, slot)),
+                })
+                .collect(),
+        })
+        .collect();
+    let entry = ModelEntry {
+        schema: MODEL_SCHEMA.into(),
+        robot: RobotEntry::from_robot(&arm.robot, false),
+        measuring_t_base: Some(PoseEntry::from_pose(&arm.measuring_t_base)),
+        flange_t_tool: Some(PoseEntry::from_pose(&arm.flange_t_tool)),
+        parameters,
+        effects,
+        network: arm.network.clone(),
+        region: calibration.region.map(|region| RegionEntry {
+            min_deg: region.min_rad.map(deg_from_rad),
+            max_deg: region.max_rad.map(deg_from_rad),
+        }),
+        provenance: calibration.provenance.clone(),
+    };
+    serde_yaml::to_string(&entry)
+}
+
+const COMPONENTS: [&str; 6] = ["x", "y", "z", "rx", "ry", "rz"];
+const QUANTITIES: [(&str, RowQuantity); 5] = [
+    ("offset", RowQuantity::Offset),
+    ("d", RowQuantity::D),
+    ("a", RowQuantity::A),
+    ("alpha", RowQuantity::Alpha),
+    ("beta", RowQuantity::Beta),
+];
+const RODS: [(&str, Rod); 2] = [("crank", Rod::Crank), ("coupler", Rod::Coupler)];
+
+/// All geometric parameters, in the order in which files list them.
+fn geometry_ids() -> impl Iterator<Item = ParameterId> {
+    let base = (0..6).map(ParameterId::Base);
+    let rows = (0..DOF).flat_map(|joint| QUANTITIES.map(|(_, quantity)| ParameterId::Row(joint, quantity)));
+    let rods = RODS.map(|(_, rod)| ParameterId::Loop(rod));
+    base.chain(rows).chain(rods).chain((0..6).map(ParameterId::Tool))
+}
+
+/// `("joint 2", "a")`; `None` for parameters of effects.
+pub fn geometry_name(id: ParameterId) -> Option<(String, String)> {
+    Some(match id {
+        ParameterId::Row(joint, quantity) => {
+            let (name, _) = QUANTITIES.iter().find(|(_, known)| *known == quantity)?;
+            (format!("joint {}", joint + 1), (*name).to_string())
+        }
+        ParameterId::Base(component) => ("base".into(), (*COMPONENTS.get(component)?).into()),
+        ParameterId::Tool(component) => ("tool".into(), (*COMPONENTS.get(component)?).into()),
+        ParameterId::Loop(rod) => ("loop".into(), RODS.iter().find(|(_, known)| *known == rod)?.0.into()),
+        ParameterId::Effect(..) => return None,
+    })
+}
+
+fn geometry_id(at: &str, quantity: &str) -> Option<ParameterId> {
+    geometry_ids().find(|&id| geometry_name(id).is_some_and(|(place, name)| place == at && name == quantity))
+}
+
+fn unit_of(id: ParameterId) -> &'static str {
+    match id {
+        ParameterId::Row(_, RowQuantity::D | RowQuantity::A) | ParameterId::Loop(_) => "m",
+        ParameterId::Base(component) | ParameterId::Tool(component) if component < 3 => "m",
+        _ => "rad",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::builtin;
+
+    fn model_text() -> String {
+        let robot = builtin::by_name("hh800-class").expect("built in").expect("sound");
+        let mut calibration = Calibration::nominal(robot);
+        calibration.arm.parameters.rows[1].a_m = 3.1e-4;
+        calibration.arm.parameters.effects[1][0] = 4.3e-8;
+        calibration.sigma.push((ParameterId::Row(1, RowQuantity::A), 1.5e-5));
+        calibration.region = Some(Region { min_rad: [-1.0; DOF], max_rad: [1.0; DOF] });
+        write(&calibration).expect("writable")
+    }
+
+    #[test]
+    fn a_model_file_goes_round_bit_for_bit() {
+        let text = model_text();
+        let again = read(&Source::new("m.yaml", text.clone())).expect("readable");
+        assert_eq!(again.arm.parameters.rows[1].a_m, 3.1e-4);
+        assert_eq!(again.arm.parameters.effects[1][0], 4.3e-8);
+        assert_eq!(again.sigma, [(ParameterId::Row(1, RowQuantity::A), 1.5e-5)]);
+        assert_eq!(write(&again).expect("writable"), text);
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_with_its_line() {
+        for (from, to, code) in [
+            ("quantity: a", "quantity: b", "parameter"),
+            ("value: 0.00031", "value: 310.0", "unit-scale"),
+            ("unit: m", "unit: mm", "unit"),
+            ("effect: joint_compliance", "effect: magic", "effect"),
+            ("falsetarget/model/1", "falsetarget/model/9", "schema"),
+            ("parameters:\n- at", "parametres:\n- at", "yaml"),
+        ] {
+            let text = model_text();
+            assert!(text.contains(from), "{from} in {text}");
+            let source = Source::new("m.yaml", text.replacen(from, to, 1));
+            let error = read(&source).expect_err(to);
+            assert_eq!(error.diagnostic.code, code, "{to}: {}", error.diagnostic.message);
+            let place = error.diagnostic.place.as_ref().expect("a place");
+            assert!(code == "schema" || source.line(place.span.start) > 1, "{to}");
+        }
+    }
+}

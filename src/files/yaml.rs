@@ -1,0 +1,120 @@
+//! Reading YAML with a place for every complaint.
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::base::diagnostic::Diagnostic;
+use crate::base::text::{Source, Span};
+use crate::base::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
+use crate::geometry::orientation::OrientationConvention;
+use crate::geometry::pose::Pose;
+
+use super::error::FileError;
+
+/// Largest file that is taken for YAML: a whole model with its covariance stays far below.
+const LARGEST_BYTES: usize = 64 << 20;
+
+/// Parses a file into a type that denies unknown keys.
+///
+/// # Errors
+/// [`FileError`] with line and column: not UTF-8, not YAML, an unknown or missing key, a wrong type.
+pub fn parse<T: DeserializeOwned>(source: &Source, what: &str) -> Result<T, FileError> {
+    if source.bytes().iter().all(u8::is_ascii_whitespace) {
+        let empty = Diagnostic::error("empty-file", format!("the file is empty; expected {what}"));
+        return Err(FileError::new(source, empty.at(0, Span::new(0, 0), "")));
+    }
+    if source.bytes().len() > LARGEST_BYTES {
+        let large = Diagnostic::error("file-size", format!("the file is too large to be {what}"));
+        return Err(FileError::new(source, large.at(0, Span::new(0, 0), "")));
+    }
+    let text = std::str::from_utf8(source.bytes()).map_err(|error| {
+        let at = error.valid_up_to();
+        let diagnostic = Diagnostic::error("not-utf-8", format!("the file is not UTF-8 text; expected {what}"));
+        FileError::new(source, diagnostic.at(0, Span::new(at, at + 1), "first byte that is not text"))
+    })?;
+    serde_yaml::from_str(text).map_err(|error| {
+        let at = error.location().map_or(0, |location| location.index().min(text.len()));
+        let end =
+            source.bytes()[at..].iter().position(|byte| matches!(byte, b'\n' | b'\r')).map_or(text.len(), |n| at + n);
+        let diagnostic = Diagnostic::error("yaml", plain_message(&error.to_string()))
+            .at(0, Span::new(at, end), "")
+            .help(format!("expected {what}; the keys are listed in docs/files.md"));
+        FileError::new(source, diagnostic)
+    })
+}
+
+/// The library ends its messages with "at line L column C", which the drawn place says already.
+fn plain_message(message: &str) -> String {
+    match message.rfind(" at line ") {
+        Some(end) => message[..end].to_string(),
+        None => message.to_string(),
+    }
+}
+
+/// Where a top-level key stands, for complaints about a value that is well-formed but wrong.
+///
+/// `item` counts the `- ` entries below the key.
+pub fn place_of(source: &Source, key: &str, item: Option<usize>) -> Span {
+    let mut below = None;
+    let mut seen = 0;
+    for line in source.lines() {
+        let text = source.slice(line);
+        let is_key = text.strip_prefix(key.as_bytes()).is_some_and(|rest| rest.first() == Some(&b':'));
+        match (below, item) {
+            (None, _) if is_key => {
+                below = Some(line);
+                if item.is_none() {
+                    return line;
+                }
+            }
+            (Some(_), Some(wanted)) if text.trim_ascii_start().starts_with(b"-") => {
+                if seen == wanted {
+                    let indent = text.len() - text.trim_ascii_start().len();
+                    return Span::new(line.start + indent, line.end);
+                }
+                seen += 1;
+            }
+            _ => {}
+        }
+    }
+    below.unwrap_or(Span::new(0, 0))
+}
+
+/// A complaint about a value.
+pub fn complain(source: &Source, key: &str, item: Option<usize>, code: &'static str, message: String) -> FileError {
+    FileError::new(source, Diagnostic::error(code, message).at(0, place_of(source, key, item), ""))
+}
+
+/// A pose as files write it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PoseEntry {
+    /// Position, mm.
+    pub xyz_mm: [f64; 3],
+    /// Fixed X-Y-Z angles, deg: R = Rz(yaw) Ry(pitch) Rx(roll).
+    #[serde(default)]
+    pub rpy_deg: [f64; 3],
+}
+
+impl PoseEntry {
+    /// In metres and radians; `None` when a number is not finite.
+    pub fn pose(&self) -> Option<Pose> {
+        let rotation = OrientationConvention::FixedXyz.rotation(&self.rpy_deg.map(rad_from_deg))?;
+        let translation = nalgebra::Vector3::from(self.xyz_mm.map(m_from_mm));
+        translation.iter().all(|x| x.is_finite()).then_some(Pose { rotation, translation })
+    }
+
+    /// As files write it.
+    pub fn from_pose(pose: &Pose) -> Self {
+        let angles = OrientationConvention::FixedXyz.numbers(&pose.rotation, &[0.0; 3]);
+        Self {
+            xyz_mm: std::array::from_fn(|axis| tidy(mm_from_m(pose.translation[axis]))),
+            rpy_deg: std::array::from_fn(|axis| tidy(deg_from_rad(angles[axis]))),
+        }
+    }
+}
+
+/// The number to 15 significant digits: what a unit conversion leaves in the sixteenth is not worth writing.
+pub fn tidy(number: f64) -> f64 {
+    format!("{number:.14e}").parse().unwrap_or(number) + 0.0
+}

@@ -1,0 +1,15 @@
+//! Floor 2: the robot, nominal and real. Every formula is written once, over [`crate::geometry::real::Real`], so that
+//! values and derivatives come from the same lines. Knows no files and no programs.
+
+pub mod arm;
+pub mod chain;
+pub mod conditions;
+pub mod effect;
+#[cfg(test)]
+pub(crate) mod fixture;
+pub mod jacobian;
+pub mod linkage;
+pub mod network;
+pub mod parameters;
+pub mod robot;
+pub mod statics;
