@@ -222,9 +222,16 @@ impl ClosedForm {
         let wrists =
             self.wrist.solve(&swung.rotation, pin, freedom.straight_below_rad).map_err(Shortage::Orientation)?;
         let mut outcome = Ok(());
-        for wrist in wrists.into_iter().flatten() {
-            let raised = wrist.turns[0];
-            let carried = swung.center + self.skeleton.points[0] - raised.rotate(second_axis, forearm);
+        let center = swung.center + self.skeleton.points[0];
+        for mut wrist in wrists.into_iter().flatten() {
+            let mut raised = wrist.turns[0];
+            if wrist.opening_sin < freedom.straight_below_rad {
+                // The forearm may turn with the hand held still, but not everywhere.
+                let (to_center, arm) = (self.plane.coordinates(&center), self.plane.components(forearm));
+                raised = self.plane.turn_into_reach(&to_center, &arm, raised).unwrap_or(raised);
+                wrist = self.wrist.with_first(&swung.rotation, raised, wrist.opening_sin);
+            }
+            let carried = center - raised.rotate(second_axis, forearm);
             match self.plane.solve(&self.plane.coordinates(&carried), SLACK_M) {
                 Ok(arms) => {
                     for arm in arms {
@@ -234,8 +241,11 @@ impl ClosedForm {
                     }
                 }
                 Err(by_m) => {
-                    outcome =
-                        Err(smaller(outcome.err(), Some(Shortage::Position(by_m))).unwrap_or(Shortage::Position(by_m)))
+                    let least_m = match outcome {
+                        Err(Shortage::Position(other_m)) => other_m.min(by_m),
+                        _ => by_m,
+                    };
+                    outcome = Err(Shortage::Position(least_m));
                 }
             }
         }

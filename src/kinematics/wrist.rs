@@ -62,7 +62,7 @@ impl Wrist {
         let last = rotation * self.last;
         let (x, y) = self.frame.across(&last);
         let opening_sin = x.hypot(y);
-        let solution = |first: Turn| Some(self.completed(rotation, &last, first, opening_sin));
+        let solution = |first: Turn| Some(self.with_first(rotation, first, opening_sin));
         match self.frame.solve(&last, self.middle_to_last, straight_below_rad, SLACK) {
             Circle::Two([one, other]) => Ok([solution(one), solution(other)]),
             Circle::Short(by) => Err(by),
@@ -81,8 +81,9 @@ impl Wrist {
     }
 
     /// Middle and last turn for a given first one, each from what the turns before it leave.
-    fn completed(&self, rotation: &Matrix3<f64>, last: &Vector3<f64>, first: Turn, opening_sin: f64) -> WristSolution {
-        let left = first.back().rotate(&self.first, last);
+    pub fn with_first(&self, rotation: &Matrix3<f64>, first: Turn, opening_sin: f64) -> WristSolution {
+        let last = rotation * self.last;
+        let left = first.back().rotate(&self.first, &last);
         let middle = turn_between(&self.middle, &self.last, &left);
         let marked = rotation * self.mark;
         let marked = middle.back().rotate(&self.middle, &first.back().rotate(&self.first, &marked));
