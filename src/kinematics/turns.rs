@@ -5,8 +5,8 @@ use std::f64::consts::{PI, TAU};
 use crate::geometry::orientation::angle_near;
 use crate::model::robot::{DOF, LOOP_DRIVEN, Robot};
 
-/// Numbers this far outside a limit still count as inside, rad: rounding only.
-pub const LIMIT_SLACK_RAD: f64 = 1e-9;
+/// Numbers this far outside a limit still count as inside, rad: a pose taught at a limit is written with few decimals.
+pub const LIMIT_SLACK_RAD: f64 = 1e-4;
 /// More turns than this of one joint are not tried: unlimited joints have no end of them.
 const MOST_TURNS: f64 = 8.0;
 
