@@ -65,7 +65,7 @@ impl<'j, 'a> Positions<'j, 'a> {
             let parts = list(text, range).unwrap_or_default();
             let nested = parts.iter().all(|part| text.is_symbol(part.start, b'['));
             let counts: Vec<_> = parts.iter().map(|part| list(text, part).map_or(0, |inner| inner.len())).collect();
-            return nested && (counts == [3, 4, 4, 6] || counts == [6, 6]);
+            return nested && (counts == [3, 4, 4, 6] || counts == [6, 6] || counts == [6]);
         }
         if text.kind(range.start) != Some(TokenKind::Name) {
             return false;
@@ -200,7 +200,8 @@ impl<'j, 'a> Positions<'j, 'a> {
 
     /// A target whose numbers are not in the text.
     pub fn unwritten(&mut self, text: &FileText<'a>, range: &Range<usize>, scope: Scope, reason: String) -> usize {
-        let reason = format!("{reason} (line {})", text.line(range.start));
+        let place = text.line(range.start);
+        let reason = if reason.contains("line ") { reason } else { format!("{reason} (line {place})") };
         self.push(text, range, scope, TargetValue::Unwritten, Err(reason))
     }
 
@@ -235,7 +236,8 @@ impl<'j, 'a> Positions<'j, 'a> {
         let parts = list(text, range).unwrap_or_default();
         let value = match parts.as_slice() {
             [place, turn, ..] if parts.len() == 4 => cartesian(text, place, turn),
-            [joints, _] => numbers::<6>(text, joints)
+            // Some writers of MoveAbsJ leave the list of additional axes out.
+            [joints] | [joints, _] => numbers::<6>(text, joints)
                 .map(|joints| TargetValue::Joint(Box::new(JointNumbers { joints, units: Units::MM_DEG }))),
             _ => None,
         };
@@ -248,7 +250,12 @@ impl<'j, 'a> Positions<'j, 'a> {
                 [_, _, data, _] => values::<4>(text, data).map(configuration).unwrap_or_default(),
                 _ => Configuration::default(),
             },
-            external_axes: parts.last().and_then(|axes| values::<6>(text, axes)).map(external_axes).unwrap_or_default(),
+            external_axes: parts
+                .get(1..)
+                .and_then(<[_]>::last)
+                .and_then(|axes| values::<6>(text, axes))
+                .map(external_axes)
+                .unwrap_or_default(),
         };
         (value, Ok(extras))
     }
