@@ -23,7 +23,7 @@ fn shipped(dialect: &dyn Dialect) -> Vec<Source> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
         path.is_file() && !matches!(ending.as_str(), "md" | "yaml" | "yml")
     };
-    let read = |path: PathBuf| Source::new(path.display().to_string(), std::fs::read(&path).expect("a readable file"));
+    let read = |path: PathBuf| Source::new(path.display().to_string(), std::fs::read(&path).unwrap_or_default());
     paths.into_iter().filter(is_program).map(read).collect()
 }
 

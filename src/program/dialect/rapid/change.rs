@@ -89,16 +89,11 @@ const READERS: &[&str] = &[
 const WRITERS: &[&str] =
     &["getdataval", "setdataval", "unpackrawbytes", "readcfgdata", "strtoval", "readanybin", "loadid", "parid"];
 
-/// A statement that changes a variable.
-struct Change {
-    element: Option<String>,
-    reason: String,
-}
-
-/// All changes of a job, by symbol.
+/// All changes of a job.
 #[derive(Default)]
 pub struct Changes {
-    by_symbol: HashMap<usize, Vec<Change>>,
+    /// By symbol and element (`{2}`; none for all of it): the first statement that changes it.
+    by_symbol: HashMap<usize, HashMap<Option<String>, String>>,
 }
 
 impl Changes {
@@ -122,19 +117,14 @@ impl Changes {
     /// Why the value of a symbol, or of one element of it (`{2}`), is not what its declaration says.
     pub fn reason(&self, symbol: usize, element: &str) -> Option<&str> {
         let changes = self.by_symbol.get(&symbol)?;
-        let hits = |change: &&Change| change.element.as_deref().is_none_or(|changed| changed == element);
-        changes.iter().find(hits).map(|change| change.reason.as_str())
+        changes.get(&None).or_else(|| changes.get(&Some(element.to_owned()))).map(String::as_str)
     }
 
     fn add(&mut self, job: &Job, symbol: usize, element: Option<String>, reason: String) {
         if job.symbols[symbol].storage == Storage::Constant {
             return;
         }
-        let changes = self.by_symbol.entry(symbol).or_default();
-        // The first statement that changes an element is reason enough.
-        if !changes.iter().take(64).any(|change| change.element.is_none() || change.element == element) {
-            changes.push(Change { element, reason });
-        }
+        self.by_symbol.entry(symbol).or_default().entry(element).or_insert(reason);
     }
 
     fn assignment(&mut self, job: &Job, text: &FileText, statement: &Statement, scope: Scope) {

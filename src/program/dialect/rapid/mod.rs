@@ -15,6 +15,7 @@ mod cutter;
 mod definition;
 mod displacement;
 mod flow;
+mod follow;
 mod motion;
 mod moves;
 mod position;

@@ -285,6 +285,10 @@ fn invalid_names_of_off_line_tools_are_kept_whole() {
     assert!(program.tools.contains_key("grip(closed)"));
 }
 
+fn indexed_uses() -> String {
+    (1..9_999).map(|index| format!("MoveL a{{{index}}},v,z,t;a{{{index}}}:=CRobT();")).collect()
+}
+
 #[test]
 fn hostile_texts_take_linear_time_and_no_stack() {
     let start = std::time::Instant::now();
@@ -300,6 +304,8 @@ fn hostile_texts_take_linear_time_and_no_stack() {
         "\"".repeat(500_001),
         "a:".repeat(400_000),
         "TEST ".repeat(300_000),
+        format!("VAR robtarget a{{9}}:=[{}{P}];\n{}", format!("{P},").repeat(9_999), "MoveL a{i},v,z,t;".repeat(9_999)),
+        format!("VAR robtarget a{{9}}:=[{}{P}];\n{}", format!("{P},").repeat(9_999), indexed_uses()),
     ] {
         let source = Source::new("t", text);
         Rapid.recognises(&source);
