@@ -112,6 +112,13 @@ fn displacements_by_numbers_have_a_base_and_others_are_computed() {
 }
 
 #[test]
+fn the_base_of_a_displacement_is_listed_only_if_it_is_needed() {
+    let program = read(&proc("MoveL Offs(p1,0,0,1),v1,z1,t;\nMoveL Offs(pX,0,0,1),v1,z1,t;"));
+    let listed: Vec<_> = program.targets.iter().map(|t| (t.name.as_deref(), t.uses.len())).collect();
+    assert_eq!(listed, [(Some("p1"), 0), (None, 1), (None, 1)]);
+}
+
+#[test]
 fn what_changes_at_run_time_is_computed_and_says_where() {
     for (statement, said) in [
         ("p2:=CRobT();", "line 6"),
