@@ -57,7 +57,8 @@ fn spoil(robot: Robot, random: &mut ChaCha8Rng) -> ArmModel {
 fn network(random: &mut ChaCha8Rng) -> ResidualNetwork {
     let features: Vec<Feature> = (1..=DOF).flat_map(|joint| [Feature::Sine(joint), Feature::Cosine(joint)]).collect();
     let (inputs, hidden) = (features.len(), 8);
-    let mut row = |length: usize, size: f64| -> Vec<f64> { (0..length).map(|_| random.random_range(-size..size)).collect() };
+    let mut row =
+        |length: usize, size: f64| -> Vec<f64> { (0..length).map(|_| random.random_range(-size..size)).collect() };
     let layers = Layers {
         hidden_weights: (0..hidden).map(|_| row(inputs, 1.0)).collect(),
         hidden_biases: row(hidden, 1.0),
@@ -80,7 +81,15 @@ fn rapid_pose(pose: &Pose, mm_decimals: usize, q_decimals: usize) -> String {
     let q = quaternion_from_rotation(&pose.rotation);
     format!(
         "[{:.m$},{:.m$},{:.m$}],[{:.d$},{:.d$},{:.d$},{:.d$}]",
-        p.x, p.y, p.z, q[0], q[1], q[2], q[3], m = mm_decimals, d = q_decimals
+        p.x,
+        p.y,
+        p.z,
+        q[0],
+        q[1],
+        q[2],
+        q[3],
+        m = mm_decimals,
+        d = q_decimals
     )
 }
 
