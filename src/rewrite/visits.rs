@@ -109,10 +109,7 @@ fn arrive(
         Err(obstacle) => return (written, Err(obstacle.clone())),
     };
     let flange = setting.nominal_flange(&written);
-    let branches = controller.inverse(&flange);
-    let choice =
-        branches.and_then(|branches| controller.choose(&branches, &wish(&target.configuration), previous.as_ref()));
-    match choice {
+    match controller.solve(&flange, &wish(&target.configuration), previous.as_ref()) {
         Ok(choice) => (written, Ok(choice.numbers_rad)),
         Err(error) => (written, Err(Obstacle::refused(error.to_string()))),
     }
