@@ -4,7 +4,7 @@ use crate::geometry::pose::Pose;
 
 use super::chain::{Chain, Rows, displacement_pose};
 use super::conditions::Conditions;
-use super::effect::{Context, Effect, Location, ModelScalar, Response};
+use super::effect::{Context, Effect, Location, ModelScalar, Response, Setting};
 use super::linkage::{LoopErrors, LoopOpen, RowAngles, actuators_from_numbers, row_angles};
 use super::network::{Output, ResidualNetwork};
 use super::parameters::Parameters;
@@ -162,8 +162,9 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         let robot = &self.model.robot;
         let commanded = actuators_from_numbers(robot, numbers_rad);
         let mut load = Load::declared(robot, conditions.payload.as_ref());
+        let setting = Setting { robot, conditions, actuators_rad: &commanded };
         for (instance, parameters) in self.model.effects.iter().zip(&self.parameters.effects) {
-            T::load(instance.effect, &instance.location, parameters, &commanded, &mut load);
+            T::load(instance.effect, &instance.location, parameters, &setting, &mut load);
         }
         let mut response = start.copied().unwrap_or_else(Response::none);
         let mut change_rad = f64::INFINITY;

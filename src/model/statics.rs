@@ -2,11 +2,12 @@
 
 use nalgebra::Vector3;
 
+use crate::geometry::pose::rotation_x;
 use crate::geometry::real::Real;
 
 use super::chain::Chain;
-use super::linkage::RowAngles;
-use super::robot::{DOF, LOOP_AROUND, LOOP_DRIVEN, Mass, Robot};
+use super::linkage::{RowAngles, RowRates};
+use super::robot::{Convention, DOF, LOOP_AROUND, LOOP_DRIVEN, Mass, Robot};
 
 /// What loads the arm, after the effects that change loads.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +16,8 @@ pub struct Load<T: Real> {
     pub gravity_m_s2: Vector3<T>,
     /// Mass at the flange, kg.
     pub payload_kg: T,
-    /// Its centre in the flange, m.
-    pub payload_com_m: Vector3<T>,
+    /// Its first moment `m c` in the flange, kg m: linear in what can be wrong with a payload, and defined without one.
+    pub payload_moment_kg_m: Vector3<T>,
     /// Torque that a device adds at an actuator (a spring or gas balancer), Nm, in the controller's sense.
     pub device_torque_nm: [T; DOF],
 }
@@ -28,9 +29,14 @@ impl<T: Real> Load<T> {
         Self {
             gravity_m_s2: robot.gravity_m_s2.map(T::constant),
             payload_kg: T::constant(payload.mass_kg),
-            payload_com_m: payload.center_of_mass_m.map(T::constant),
+            payload_moment_kg_m: (payload.center_of_mass_m * payload.mass_kg).map(T::constant),
             device_torque_nm: [T::zero(); DOF],
         }
+    }
+
+    /// The payload's centre in the flange, m; the flange's origin for a payload without mass.
+    pub fn payload_com_m(&self) -> Vector3<T> {
+        if self.payload_kg.value() == 0.0 { Vector3::zeros() } else { self.payload_moment_kg_m / self.payload_kg }
     }
 }
 
@@ -43,11 +49,30 @@ pub struct Outboard<T: Real> {
     pub first_moment_kg_m: Vector3<T>,
 }
 
+impl<T: Real> Outboard<T> {
+    /// Nothing is there.
+    pub fn nothing() -> Self {
+        Self { mass_kg: T::zero(), first_moment_kg_m: Vector3::zeros() }
+    }
+
+    /// Weight, N, in the base.
+    pub fn weight(&self, gravity_m_s2: &Vector3<T>) -> Vector3<T> {
+        gravity_m_s2 * self.mass_kg
+    }
+
+    /// Moment of the weight about `point`, Nm, both in the base.
+    pub fn moment_about(&self, point: &Vector3<T>, gravity_m_s2: &Vector3<T>) -> Vector3<T> {
+        (self.first_moment_kg_m - point * self.mass_kg).cross(gravity_m_s2)
+    }
+}
+
 /// Static loads in one pose.
 #[derive(Clone, Copy, Debug)]
 pub struct Statics<T: Real> {
     /// Beyond each joint.
     pub outboard: [Outboard<T>; DOF],
+    /// The payload alone.
+    pub payload: Outboard<T>,
     /// Gravity in the base, m/s^2.
     pub gravity_m_s2: Vector3<T>,
     /// Load torque at each actuator, Nm, in the controller's sense: positive pushes the joint number up.
@@ -57,20 +82,34 @@ pub struct Statics<T: Real> {
 impl<T: Real> Statics<T> {
     /// Nothing weighs anything.
     pub fn none() -> Self {
-        let nothing = Outboard { mass_kg: T::zero(), first_moment_kg_m: Vector3::zeros() };
-        Self { outboard: [nothing; DOF], gravity_m_s2: Vector3::zeros(), actuator_torque_nm: [T::zero(); DOF] }
+        Self {
+            outboard: [Outboard::nothing(); DOF],
+            payload: Outboard::nothing(),
+            gravity_m_s2: Vector3::zeros(),
+            actuator_torque_nm: [T::zero(); DOF],
+        }
     }
 
-    /// The loads of a robot with link masses; [`Statics::none`] for a robot without.
+    /// The loads of a robot with link masses; of one without, the torques of devices alone.
     pub fn of(robot: &Robot, chain: &Chain<T>, angles: &RowAngles<T>, load: &Load<T>) -> Self {
-        let Some(links) = &robot.links else {
-            return Self::none();
+        let mut statics = match &robot.links {
+            Some(links) => Self::of_weights(robot, links, chain, angles, load),
+            None => Self::none(),
         };
+        for (torque, device) in statics.actuator_torque_nm.iter_mut().zip(&load.device_torque_nm) {
+            *torque += *device;
+        }
+        statics
+    }
+
+    fn of_weights(robot: &Robot, links: &[Mass; DOF], chain: &Chain<T>, angles: &RowAngles<T>, load: &Load<T>) -> Self {
         let mut statics = Self { gravity_m_s2: load.gravity_m_s2, ..Self::none() };
-        let mut beyond = Outboard {
+        let flange = chain.flange();
+        statics.payload = Outboard {
             mass_kg: load.payload_kg,
-            first_moment_kg_m: chain.flange().transform_point(&load.payload_com_m) * load.payload_kg,
+            first_moment_kg_m: flange.rotation * load.payload_moment_kg_m + flange.translation * load.payload_kg,
         };
+        let mut beyond = statics.payload;
         let mut row_torque = [T::zero(); DOF];
         for joint in (0..DOF).rev() {
             let mass = T::constant(links[joint].mass_kg);
@@ -79,24 +118,59 @@ impl<T: Real> Statics<T> {
             beyond.first_moment_kg_m += center * mass;
             statics.outboard[joint] = beyond;
             let axis = &chain.axes[joint];
-            row_torque[joint] = axis.direction.dot(&statics.moment_about(joint, &axis.origin));
+            row_torque[joint] = axis.direction.dot(&beyond.moment_about(&axis.origin, &load.gravity_m_s2));
         }
         statics.actuator_torque_nm = actuator_torque(robot, angles, &row_torque);
-        for (torque, device) in statics.actuator_torque_nm.iter_mut().zip(&load.device_torque_nm) {
-            *torque += *device;
-        }
         statics
     }
 
-    /// Moment of the weight beyond `joint` about `point`, Nm, both in the base.
-    pub fn moment_about(&self, joint: usize, point: &Vector3<T>) -> Vector3<T> {
-        let outboard = &self.outboard[joint];
-        (outboard.first_moment_kg_m - point * outboard.mass_kg).cross(&self.gravity_m_s2)
+    /// What hangs on the far end of a link: the links after it and the payload.
+    pub fn beyond_link(&self, link: usize) -> &Outboard<T> {
+        self.outboard.get(link + 1).unwrap_or(&self.payload)
     }
+}
 
-    /// Weight beyond `joint`, N, in the base.
-    pub fn weight(&self, joint: usize) -> Vector3<T> {
-        self.gravity_m_s2 * self.outboard[joint].mass_kg
+/// The torque that weight could at most make at a joint, Nm: everything beyond it stretched out level, with the
+/// payload of the robot file. A constant of the robot that says how large its torques are, never less than any.
+///
+/// Zero for a robot without link masses.
+pub fn largest_torque_nm(robot: &Robot, joint: usize) -> f64 {
+    let Some(links) = &robot.links else {
+        return 0.0;
+    };
+    // What the parallelogram carries hangs on its pin as far as the arm's own drive feels it.
+    let pinned = joint == LOOP_AROUND && robot.parallelogram.is_some();
+    let (mut reach_m, mut moment_kg_m) = (0.0, 0.0);
+    for (index, link) in links.iter().enumerate().skip(joint) {
+        // Along a joint's own axis there is no lever.
+        let lever = |point: Vector3<f64>| if index == joint { point.xy().norm() } else { point.norm() };
+        let payload = (index + 1 == DOF).then_some(&robot.payload);
+        for mass in [Some(link), payload].into_iter().flatten() {
+            let own_m = if pinned && index > joint { 0.0 } else { lever(center_beyond_axis(robot, index, mass)) };
+            moment_kg_m += mass.mass_kg * (reach_m + own_m);
+        }
+        if !(pinned && index > joint) {
+            reach_m += lever(next_axis(robot, index));
+        }
+    }
+    moment_kg_m * robot.gravity_m_s2.norm()
+}
+
+/// Where the next joint's axis frame stands in the frame that turns with this joint, m.
+fn next_axis(robot: &Robot, joint: usize) -> Vector3<f64> {
+    let a_m = match robot.convention {
+        Convention::Standard => robot.joints[joint].a_m,
+        Convention::Modified => robot.joints.get(joint + 1).map_or(0.0, |next| next.a_m),
+    };
+    Vector3::new(a_m, 0.0, robot.joints[joint].d_m)
+}
+
+/// Where a mass given in the frame after the row lies in the frame that turns with the joint, m.
+fn center_beyond_axis(robot: &Robot, joint: usize, mass: &Mass) -> Vector3<f64> {
+    let row = &robot.joints[joint];
+    match robot.convention {
+        Convention::Standard => rotation_x(row.alpha_rad) * mass.center_of_mass_m + next_axis(robot, joint),
+        Convention::Modified => mass.center_of_mass_m + Vector3::z() * row.d_m,
     }
 }
 
@@ -112,15 +186,12 @@ pub fn actuator_torque<T: Real>(robot: &Robot, angles: &RowAngles<T>, row_torque
 
 /// Torque at each actuator that accelerates the arm, as a load, Nm: `-sum (c - o) x m c''` with every link a point
 /// mass at its centre (a robot file holds no inertias).
-///
-/// `row_speed_rad_s` and `row_acceleration_rad_s2` are those of the rows, in the rows' sense.
 pub fn inertial_torque<T: Real>(
     robot: &Robot,
     chain: &Chain<T>,
     angles: &RowAngles<T>,
     load: &Load<T>,
-    row_speed_rad_s: &[T; DOF],
-    row_acceleration_rad_s2: &[T; DOF],
+    rates: &RowRates<T>,
 ) -> [T; DOF] {
     let Some(links) = &robot.links else {
         return [T::zero(); DOF];
@@ -136,14 +207,14 @@ pub fn inertial_torque<T: Real>(
         let axis = &chain.axes[joint];
         point_acceleration = carried(&axis.origin, &point, &point_acceleration, &omega, &alpha);
         point = axis.origin;
-        let spin = axis.direction * row_speed_rad_s[joint];
-        alpha += axis.direction * row_acceleration_rad_s2[joint] + omega.cross(&spin);
+        let spin = axis.direction * rates.speed_rad_s[joint];
+        alpha += axis.direction * rates.acceleration_rad_s2[joint] + omega.cross(&spin);
         omega += spin;
         let center = chain.frames[joint].transform_point(&links[joint].center_of_mass_m.map(T::constant));
         let acceleration = carried(&center, &point, &point_acceleration, &omega, &alpha);
         forces[joint] = (center, acceleration * T::constant(-links[joint].mass_kg));
     }
-    let center = chain.flange().transform_point(&load.payload_com_m);
+    let center = chain.flange().transform_point(&load.payload_com_m());
     let acceleration = carried(&center, &point, &point_acceleration, &omega, &alpha);
     forces[DOF] = (center, -(acceleration * load.payload_kg));
     let row_torque: [T; DOF] = std::array::from_fn(|joint| {
@@ -154,4 +225,125 @@ pub fn inertial_torque<T: Real>(
         axis.direction.dot(&moment)
     });
     actuator_torque(robot, angles, &row_torque)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::arm::ArmModel;
+    use crate::model::conditions::Conditions;
+    use crate::model::fixture;
+    use crate::model::linkage::row_rates;
+    use crate::model::parameters::Parameters;
+
+    const POSE: [f64; DOF] = [0.4, -0.3, 0.2, 1.1, -0.7, 2.0];
+    const SPEED: [f64; DOF] = [0.6, -0.8, 0.9, 2.0, -1.5, 2.5];
+    const ACCELERATION: [f64; DOF] = [2.0, -3.0, 1.5, 4.0, 5.0, -6.0];
+
+    /// The arm with unequal rods, so that the loop's curvature counts.
+    fn arm() -> ArmModel {
+        let mut model = ArmModel::controller(fixture::looped_with_masses());
+        model.parameters = Parameters { crank_m: 4e-3, coupler_m: -5e-3, ..Parameters::zero() };
+        model
+    }
+
+    /// Masses and where they are, in the base.
+    fn points(model: &ArmModel, actuators: &[f64; DOF]) -> Vec<(f64, Vector3<f64>)> {
+        let state = model.prepared().at(actuators, &Conditions::default(), None).expect("a pose");
+        let links = model.robot.links.expect("masses");
+        let place = |(link, frame): (&Mass, &crate::geometry::pose::Pose)| {
+            (link.mass_kg, frame.transform_point(&link.center_of_mass_m))
+        };
+        let mut points: Vec<_> = links.iter().zip(&state.chain.frames).map(place).collect();
+        let payload = &model.robot.payload;
+        points.push((payload.mass_kg, state.base_t_flange.transform_point(&payload.center_of_mass_m)));
+        points
+    }
+
+    fn moved(from: &[f64; DOF], joint: usize, by: f64) -> [f64; DOF] {
+        let mut to = *from;
+        to[joint] += by;
+        to
+    }
+
+    /// Momentum `dT/da'` of the point masses, from differences of their positions.
+    fn momentum(model: &ArmModel, actuators: &[f64; DOF], speed: &[f64; DOF]) -> [f64; DOF] {
+        let step = 1e-5;
+        let slopes: Vec<Vec<Vector3<f64>>> = (0..DOF)
+            .map(|joint| {
+                let ahead = points(model, &moved(actuators, joint, step));
+                let behind = points(model, &moved(actuators, joint, -step));
+                ahead.iter().zip(&behind).map(|(a, b)| (a.1 - b.1) / (2.0 * step)).collect()
+            })
+            .collect();
+        let masses = points(model, actuators);
+        std::array::from_fn(|joint| {
+            let of_point = |(index, (mass, _)): (usize, &(f64, Vector3<f64>))| {
+                let velocity: Vector3<f64> = (0..DOF).map(|other| slopes[other][index] * speed[other]).sum();
+                mass * slopes[joint][index].dot(&velocity)
+            };
+            masses.iter().enumerate().map(of_point).sum()
+        })
+    }
+
+    fn kinetic_energy(model: &ArmModel, actuators: &[f64; DOF], speed: &[f64; DOF]) -> f64 {
+        0.5 * momentum(model, actuators, speed).iter().zip(speed).map(|(p, v)| p * v).sum::<f64>()
+    }
+
+    #[test]
+    fn inertial_torque_obeys_lagrange() {
+        let model = arm();
+        let state = model.prepared().at(&POSE, &Conditions::default(), None).expect("a pose");
+        let rates = row_rates(&model.robot, &state.angles, &SPEED, &ACCELERATION);
+        let load = Load::declared(&model.robot, None);
+        let torque = inertial_torque(&model.robot, &state.chain, &state.angles, &load, &rates);
+        let step = 1e-4;
+        let momentum_at = |t: f64| {
+            let position = std::array::from_fn(|j| POSE[j] + SPEED[j] * t + 0.5 * ACCELERATION[j] * t * t);
+            let speed = std::array::from_fn(|j| SPEED[j] + ACCELERATION[j] * t);
+            momentum(&model, &position, &speed)
+        };
+        let (ahead, behind) = (momentum_at(step), momentum_at(-step));
+        for joint in 0..DOF {
+            let rise = (ahead[joint] - behind[joint]) / (2.0 * step);
+            let energy = |by: f64| kinetic_energy(&model, &moved(&POSE, joint, by), &SPEED);
+            let slope = (energy(step) - energy(-step)) / (2.0 * step);
+            // The drive gives d/dt dT/da' - dT/da; what loads it is the opposite.
+            let expected = slope - rise;
+            let tolerance = 1e-4 * expected.abs().max(100.0);
+            assert!(
+                (torque[joint] - expected).abs() < tolerance,
+                "joint {joint}: {} against {expected}",
+                torque[joint]
+            );
+        }
+    }
+
+    #[test]
+    fn no_pose_makes_more_than_the_largest_torque() {
+        for robot in [fixture::looped_with_masses(), fixture::serial_with_masses()] {
+            let model = ArmModel::controller(robot.clone());
+            let mut seen = [0.0f64; DOF];
+            for step in 0..4000 {
+                let phase = f64::from(step);
+                let pose: [f64; DOF] = std::array::from_fn(|j| {
+                    let turn = (phase * [0.754, 0.569, 0.430, 0.324, 0.245, 0.185][j]).fract() - 0.5;
+                    turn * if matches!(j, 1 | 2) { 1.0 } else { 6.0 }
+                });
+                let state = model.prepared().at(&pose, &Conditions::default(), None).expect("a pose");
+                for (most, torque) in seen.iter_mut().zip(&state.statics.actuator_torque_nm) {
+                    *most = most.max(torque.abs());
+                }
+            }
+            for (joint, most) in seen.iter().enumerate() {
+                let bound = largest_torque_nm(&robot, joint);
+                assert!(*most <= bound, "joint {joint}: {most} over {bound}");
+            }
+            for joint in 1..DOF {
+                let bound = largest_torque_nm(&robot, joint);
+                assert!(seen[joint] > 0.4 * bound, "joint {joint}: {} is far below {bound}", seen[joint]);
+            }
+        }
+        assert_eq!(largest_torque_nm(&fixture::bare(Convention::Standard, &fixture::LOOPED), 1), 0.0);
+    }
 }
