@@ -9,7 +9,7 @@ use super::linkage::{LoopErrors, LoopOpen, RowAngles, actuators_from_numbers, ro
 use super::network::{Output, ResidualNetwork};
 use super::parameters::Parameters;
 use super::robot::{DOF, LOOP_AROUND, Robot};
-use super::statics::{Load, Statics};
+use super::statics::{Load, Statics, largest_torque_nm};
 
 /// An effect at its place. Its parameters stand in [`Parameters::effects`] at the same index.
 #[derive(Clone, Copy)]
@@ -83,7 +83,9 @@ impl ArmModel {
             coupler_m: parameters.coupler_m,
             arm_m: arm_length_error(&self.robot, &parameters),
         };
-        PreparedArm { rows: Rows::new(&self.robot, &parameters), loop_errors, model: self, parameters }
+        let largest_torque_nm = std::array::from_fn(|joint| largest_torque_nm(&self.robot, joint));
+        let rows = Rows::new(&self.robot, &parameters);
+        PreparedArm { rows, loop_errors, largest_torque_nm, model: self, parameters }
     }
 
     /// [`ArmModel::prepare`] with the model's own parameters.
@@ -107,6 +109,7 @@ pub struct PreparedArm<'a, T: ModelScalar> {
     parameters: Parameters<T>,
     rows: Rows<T>,
     loop_errors: LoopErrors<T>,
+    largest_torque_nm: [f64; DOF],
 }
 
 /// The arm in one pose.
@@ -182,6 +185,7 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
             }
             let context = Context {
                 robot,
+                largest_torque_nm: &self.largest_torque_nm,
                 conditions,
                 actuators_rad: &commanded,
                 angles: &angles,

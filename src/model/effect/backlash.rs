@@ -5,7 +5,7 @@
 //! `d a = (b/2) (w sign(tau) - (1 - w) u)` with `w = p^4 / (1 + p^4)`, `p = tau / tau_f`. The two are mixed, never
 //! added, so that the output stays between the flanks; and the value has derivatives in the pose everywhere.
 //!
-//! `tau_f`, the torque that friction holds, is [`HOLDING_SHARE`] of [`largest_torque_nm`]: a property of the gear, not
+//! `tau_f`, the torque that friction holds, is [`HOLDING_SHARE`] of [`Context::largest_torque_nm`]: a property of the gear, not
 //! of the pose. A robot without masses knows the approach alone.
 //!
 //! Signature: two levels, by the sense of approach on joints that gravity does not load, by the sign of the torque on
@@ -13,7 +13,6 @@
 //! Easily mistaken for: friction wind-up (never picked by gravity), stiffening (smooth in the torque).
 
 use crate::geometry::real::Real;
-use crate::model::statics::largest_torque_nm;
 
 use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
 
@@ -44,7 +43,7 @@ impl Physics for Backlash {
         let (Some(joint), [gap]) = (at.joint_index(), parameters) else {
             return;
         };
-        let held_nm = HOLDING_SHARE * largest_torque_nm(context.robot, joint);
+        let held_nm = HOLDING_SHARE * context.largest_torque_nm[joint];
         let side = flank(context.statics.actuator_torque_nm[joint], held_nm, context.conditions.approach[joint]);
         response.turn(joint, *gap * T::constant(0.5) * side);
     }

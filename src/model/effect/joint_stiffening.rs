@@ -4,7 +4,7 @@
 //! treats both senses alike, be it the cubic spring `M = k x + k3 x^3` (then `c = -k3 tau_r^3 / k^4`) or the three
 //! slopes `K1 < K2 < K3` of a harmonic drive's data sheet. `c < 0` stiffens, `c > 0` softens.
 //!
-//! `tau_r` is [`largest_torque_nm`] of the joint: a constant of the robot file, so that `c` is the twist in rad that
+//! `tau_r` is [`Context::largest_torque_nm`] of the joint: a constant of the robot file, so that `c` is the twist in rad that
 //! the bend of the spring adds at the largest torque. A coefficient in rad/Nm^3 would span ten decades between arms.
 //!
 //! Signature: an odd function of the torque beyond the straight line; grows faster than the payload; blind to speed and
@@ -13,7 +13,6 @@
 //! little. Two payloads separate them.
 
 use crate::geometry::real::Real;
-use crate::model::statics::largest_torque_nm;
 
 use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
 
@@ -39,7 +38,7 @@ impl Physics for JointStiffening {
         let (Some(joint), [cubic_twist]) = (at.joint_index(), parameters) else {
             return;
         };
-        let largest_nm = largest_torque_nm(context.robot, joint);
+        let largest_nm = context.largest_torque_nm[joint];
         if largest_nm > 0.0 {
             let share = context.statics.actuator_torque_nm[joint] / T::constant(largest_nm);
             response.turn(joint, *cubic_twist * share * share * share);

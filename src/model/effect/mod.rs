@@ -80,6 +80,8 @@ pub struct Setting<'a, T: Real> {
 pub struct Context<'a, T: Real> {
     /// The nominal robot.
     pub robot: &'a Robot,
+    /// What weight could at most make at each joint, Nm (see [`super::statics::largest_torque_nm`]).
+    pub largest_torque_nm: &'a [f64; DOF],
     /// The record.
     pub conditions: &'a Conditions,
     /// Actuator angles as commanded, rad (see [`super::linkage`]).
