@@ -3,5 +3,8 @@
 pub mod base;
 pub mod files;
 pub mod geometry;
+pub mod invert;
+pub mod kinematics;
 pub mod model;
 pub mod program;
+pub mod rewrite;

@@ -129,8 +129,8 @@ pub struct ArmState<T: ModelScalar> {
     pub statics: Statics<T>,
 }
 
-/// Change of the deflection, rad, below which the equilibrium counts as reached: 0.03 nm at 3 m.
-const EQUILIBRIUM_RAD: f64 = 1e-11;
+/// Change of the deflection, rad, below which the equilibrium counts as reached: 0.3 nm at 3 m.
+const EQUILIBRIUM_RAD: f64 = 1e-10;
 /// Rounds after which an equilibrium that still moves is called unstable. Compliances contract by 1e-3 a round.
 const EQUILIBRIUM_ROUNDS: usize = 40;
 
@@ -171,6 +171,7 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         }
         let mut response = start.copied().unwrap_or_else(Response::none);
         let mut change_rad = f64::INFINITY;
+        let mut settled = 0;
         for _ in 0..EQUILIBRIUM_ROUNDS {
             let standing: [T; DOF] = std::array::from_fn(|joint| {
                 commanded[joint] + self.parameters.rows[joint].offset_rad + response.actuators_rad[joint]
@@ -178,11 +179,6 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
             let angles = row_angles(robot, &standing, &self.loop_errors)?;
             let chain = self.rows.at(&angles.theta_rad, &response);
             let statics = Statics::of(robot, &chain, &angles, &load);
-            if change_rad < EQUILIBRIUM_RAD {
-                let base_t_flange = self.flange(&chain, &commanded, &statics, conditions);
-                let actuators_rad = commanded;
-                return Ok(ArmState { base_t_flange, chain, angles, actuators_rad, response, statics });
-            }
             let context = Context {
                 robot,
                 largest_torque_nm: &self.largest_torque_nm,
@@ -196,6 +192,11 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
             let next = self.respond(&context);
             change_rad = largest_change(&next, &response);
             response = next;
+            settled = if change_rad < EQUILIBRIUM_RAD { settled + 1 } else { 0 };
+            if settled > T::ROUNDS_FOR_DERIVATIVES {
+                let base_t_flange = self.flange(&chain, &commanded, &statics, conditions);
+                return Ok(ArmState { base_t_flange, chain, angles, actuators_rad: commanded, response, statics });
+            }
         }
         Err(ArmError::NoEquilibrium { change_rad })
     }
@@ -351,8 +352,10 @@ mod tests {
             ParameterId::Row(3, RowQuantity::D),
             ParameterId::Loop(Rod::Crank),
             ParameterId::Effect(1, 0),
-            ParameterId::Base(4),
+            // An effect that is off has a derivative all the same: diagnosis lives on it.
+            ParameterId::Effect(5, 0),
         ];
+        model.parameters.effects[5][0] = 0.0;
         let mut dual = model.parameters.map(Dual::constant);
         for (slot, &id) in ids.iter().enumerate() {
             let number = dual.get_mut(id).expect("a parameter");

@@ -338,10 +338,8 @@ mod tests {
             for (joint, most) in seen.iter().enumerate() {
                 let bound = largest_torque_nm(&robot, joint);
                 assert!(*most <= bound, "joint {joint}: {most} over {bound}");
-            }
-            for joint in 1..DOF {
-                let bound = largest_torque_nm(&robot, joint);
-                assert!(seen[joint] > 0.4 * bound, "joint {joint}: {} is far below {bound}", seen[joint]);
+                // Joint 1 is loaded only as far as gravity leans.
+                assert!(joint == 0 || *most > 0.4 * bound, "joint {joint}: {most} is far below {bound}");
             }
         }
         assert_eq!(largest_torque_nm(&fixture::bare(Convention::Standard, &fixture::LOOPED), 1), 0.0);

@@ -175,6 +175,10 @@ impl<P: Physics> Effect for P {
 
 /// The scalars that the model runs on: picks the entry of an [`Effect`].
 pub trait ModelScalar: Real {
+    /// Further rounds towards equilibrium after the value has settled: derivatives follow a round behind, each round
+    /// a thousand times nearer.
+    const ROUNDS_FOR_DERIVATIVES: usize;
+
     /// [`Physics::load`].
     fn load(
         effect: &dyn Effect,
@@ -194,6 +198,8 @@ pub trait ModelScalar: Real {
 }
 
 impl ModelScalar for f64 {
+    const ROUNDS_FOR_DERIVATIVES: usize = 0;
+
     fn load(effect: &dyn Effect, at: &Location, parameters: &[f64], setting: &Setting<'_, f64>, load: &mut Load<f64>) {
         effect.load_plain(at, parameters, setting, load);
     }
@@ -209,6 +215,8 @@ impl ModelScalar for f64 {
 }
 
 impl ModelScalar for Dual {
+    const ROUNDS_FOR_DERIVATIVES: usize = 3;
+
     fn load(
         effect: &dyn Effect,
         at: &Location,

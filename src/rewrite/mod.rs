@@ -1,0 +1,14 @@
+//! Floor 5: a program, a cell and a model of the real arm become a corrected program and a list that says what
+//! happened to every target.
+
+pub mod class;
+pub mod correct;
+mod digits;
+mod displaced;
+pub mod outcome;
+mod setting;
+mod visits;
+
+pub use class::{Class, class_by_text};
+pub use correct::{Job, Options, correct};
+pub use outcome::{Outcome, TargetOutcome};
