@@ -1,5 +1,7 @@
 //! What every effect of the registry must do: a new effect gets these tests for its one line in `EFFECTS`.
 
+#![allow(clippy::expect_used)]
+
 use std::f64::consts::FRAC_PI_2;
 
 use falsetarget::geometry::pose::{Pose, vector_from_rotation};

@@ -2,6 +2,8 @@
 //!
 //! Shoulder at (0, 0, 1), elbow at (1.5, 0, 1), flange and tool at (2.7, 0, 1); 100 kg there.
 
+#![allow(clippy::expect_used)]
+
 use falsetarget::geometry::pose::Pose;
 use falsetarget::model::arm::{ArmModel, EffectInstance};
 use falsetarget::model::conditions::Conditions;

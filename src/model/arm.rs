@@ -250,7 +250,11 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
 /// The largest change of anything between two rounds, rad or m.
 fn largest_change<T: ModelScalar>(next: &Response<T>, last: &Response<T>) -> f64 {
     let mut largest: f64 = 0.0;
-    let mut compare = |a: &T, b: &T| largest = largest.max((a.value() - b.value()).abs());
+    let mut compare = |a: &T, b: &T| {
+        let difference = (a.value() - b.value()).abs();
+        // `max` would take no number for no change.
+        largest = if difference.is_nan() { f64::INFINITY } else { largest.max(difference) };
+    };
     next.actuators_rad.iter().zip(&last.actuators_rad).for_each(|(a, b)| compare(a, b));
     if next.links_move || last.links_move {
         next.links.iter().flatten().zip(last.links.iter().flatten()).for_each(|(a, b)| compare(a, b));
