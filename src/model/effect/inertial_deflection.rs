@@ -8,8 +8,8 @@
 //! Easily mistaken for: a clock offset or lag in short strokes, where acceleration and position go together.
 
 use crate::geometry::real::Real;
+use crate::model::inertia::inertial_torque;
 use crate::model::linkage::{actuators_from_numbers, row_rates};
-use crate::model::statics::inertial_torque;
 
 use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
 
