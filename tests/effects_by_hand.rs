@@ -8,7 +8,7 @@ use falsetarget::geometry::pose::Pose;
 use falsetarget::model::arm::{ArmModel, EffectInstance};
 use falsetarget::model::conditions::Conditions;
 use falsetarget::model::effect::{Location, MovingFrame, by_id};
-use falsetarget::model::robot::{Convention, DOF, Joint, Mass, Parallelogram, Robot};
+use falsetarget::model::robot::{Convention, Coupling, DOF, Joint, Mass, Parallelogram, Robot};
 use nalgebra::Vector3;
 
 const UPPER_M: f64 = 1.5;
@@ -50,6 +50,17 @@ fn stretched() -> Robot {
         gravity_m_s2: Vector3::new(0.0, 0.0, -9.80665),
         compliance_rad_per_nm: [0.0; DOF],
     }
+}
+
+/// The same arm in modified rows.
+fn stretched_modified() -> Robot {
+    let mut robot = Robot { convention: Convention::Modified, ..stretched() };
+    let (a_m, alpha_rad) = (robot.joints.clone().map(|row| row.a_m), robot.joints.clone().map(|row| row.alpha_rad));
+    for joint in 0..DOF {
+        robot.joints[joint].a_m = if joint == 0 { 0.0 } else { a_m[joint - 1] };
+        robot.joints[joint].alpha_rad = if joint == 0 { 0.0 } else { alpha_rad[joint - 1] };
+    }
+    robot
 }
 
 fn pinned() -> Robot {
@@ -126,7 +137,9 @@ fn a_link_bends_as_the_handbook_says() {
     let (force, moment) = (WEIGHT_N, WEIGHT_N * FORE_M);
     let shift = (force * UPPER_M.powi(3) / 3.0 + moment * UPPER_M.powi(2) / 2.0) / stiffness;
     let slope = (force * UPPER_M.powi(2) / 2.0 + moment * UPPER_M) / stiffness;
-    close(level(stretched(), "link_flexibility", link, &bending), [0.0, 0.0, -shift - slope * FORE_M], 2e-7);
+    for robot in [stretched(), stretched_modified()] {
+        close(level(robot, "link_flexibility", link, &bending), [0.0, 0.0, -shift - slope * FORE_M], 2e-7);
+    }
     // Pinned: the force alone, and the coupler keeps the forearm level.
     let shift = force * UPPER_M.powi(3) / 3.0 / stiffness;
     close(level(pinned(), "link_flexibility", link, &bending), [0.0, 0.0, -shift], 1e-7);
@@ -190,24 +203,61 @@ fn the_approach_leaves_the_joint_behind() {
     close(moved(model, "backlash", Location::at_joint(1), &[2e-4], &conditions), [0.0, 0.0, -1e-4 * reach], 1e-7);
 }
 
+fn flange_at(model: &ArmModel, numbers: &[f64; DOF]) -> Vector3<f64> {
+    model.prepared().at(numbers, &Conditions::default(), None).expect("a pose").base_t_flange.translation
+}
+
 #[test]
 fn a_wobbling_axis_lifts_the_arm_out_of_its_plane() {
-    let pose_angle = std::f64::consts::FRAC_PI_4;
-    let mut model = ArmModel::nominal(stretched());
-    let reach = UPPER_M + FORE_M;
-    let at = |model: &ArmModel| {
-        let mut numbers = LEVEL;
-        numbers[0] = pose_angle;
-        let state = model.prepared().at(&numbers, &Conditions::default(), None).expect("a pose");
-        state.base_t_flange.translation
+    let mut numbers = LEVEL;
+    numbers[0] = 0.5;
+    let plain = ArmModel::nominal(stretched());
+    let before = flange_at(&plain, &numbers);
+    // Twice a turn unless told otherwise.
+    for (order, known) in [(2.0, None), (3.0, Some(3.0))] {
+        let (sin, cos) = f64::sin_cos(order * 0.5);
+        let wobble = |values: [f64; 4]| {
+            let mut model = plain.clone();
+            let location = Location { order: known, ..Location::at_joint(0) };
+            model.effects.push(EffectInstance { effect: by_id("axis_wobble").expect("an effect"), location });
+            model.parameters.effects.push(values.to_vec());
+            flange_at(&model, &numbers) - before
+        };
+        // A tilt t of joint 1, whose frame stands at the foot, moves a point p by t x p.
+        let about_x = Vector3::x().cross(&before) * 1e-5;
+        let about_y = Vector3::y().cross(&before) * 1e-5;
+        close(wobble([1e-5, 0.0, 0.0, 0.0]), (about_x * sin).into(), 1e-9);
+        close(wobble([0.0, 1e-5, 0.0, 0.0]), (about_x * cos).into(), 1e-9);
+        close(wobble([0.0, 0.0, 1e-5, 0.0]), (about_y * sin).into(), 1e-9);
+        close(wobble([0.0, 0.0, 0.0, 1e-5]), (about_y * cos).into(), 1e-9);
+    }
+}
+
+#[test]
+fn errors_of_a_drive_count_from_its_own_turn() {
+    // Joint 3 shows its turn plus that of joint 2: its own drive turned q3 - q2.
+    let mut robot = stretched();
+    robot.couplings.push(Coupling { joint: 2, by: 1, factor: -1.0 });
+    let numbers = [0.2, 0.3, -0.4, 0.5, 0.6, 0.7];
+    let own = numbers[2] - numbers[1];
+    let turned = |id: &str, location: Location, values: &[f64]| {
+        let mut model = ArmModel::controller(robot.clone());
+        model.effects.push(EffectInstance { effect: by_id(id).expect("an effect"), location });
+        model.parameters.effects.push(values.to_vec());
+        flange_at(&model, &numbers)
     };
-    let before = at(&model);
-    let effect = by_id("axis_wobble").expect("an effect");
-    model.effects.push(EffectInstance { effect, location: Location::at_joint(0) });
-    model.parameters.effects.push(vec![1e-5, 0.0, 0.0, 0.0]);
-    // sin(2 q) = 1: joint 1 tilts 1e-5 rad about x; a point at (x, y, z) moves by (0, -z, y) times that.
-    let side = reach * pose_angle.sin();
-    close(at(&model) - before, [0.0, -1e-5 * HEIGHT_M, 1e-5 * side], 1e-9);
+    let commanded = |by: f64| {
+        let mut numbers = numbers;
+        numbers[2] += by;
+        flange_at(&ArmModel::controller(robot.clone()), &numbers).into()
+    };
+    let at = Location::at_joint(2);
+    close(turned("gear_ratio", at, &[1e-3]), commanded(1e-3 * own), 1e-12);
+    let from_fifth = Location { source_joint: Some(5), ..at };
+    close(turned("joint_coupling", from_fifth, &[1e-3]), commanded(1e-3 * numbers[4]), 1e-12);
+    let (sin, cos) = (2.5 * own).sin_cos();
+    let periodic = Location { order: Some(2.5), ..at };
+    close(turned("joint_periodic", periodic, &[1e-3, 3e-3]), commanded(1e-3 * sin + 3e-3 * cos), 1e-12);
 }
 
 /// A tracker that stands elsewhere and looks another way, and a tool beside the flange.
