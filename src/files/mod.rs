@@ -4,5 +4,6 @@ pub mod builtin;
 pub mod calibration;
 pub mod cell;
 pub mod error;
+pub mod recording;
 pub mod robot;
 mod yaml;

@@ -29,6 +29,16 @@ pub enum Family {
     General,
 }
 
+impl std::fmt::Display for Family {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Family::SphericalWrist => "closed form, spherical wrist",
+            Family::ThreeParallel => "closed form, three parallel axes",
+            Family::General => "iteration",
+        })
+    }
+}
+
 /// Misfit of the axes, m or rad, up to which an arm belongs to a family: rounding of a robot file's numbers.
 const EXACT: f64 = 1e-9;
 /// Misfit up to which the closed form of the nearest arm of a family finds all branches for the iteration.

@@ -6,9 +6,11 @@ pub mod correct;
 mod digits;
 mod displaced;
 pub mod outcome;
+pub mod play;
 mod setting;
 mod visits;
 
 pub use class::{Class, class_by_text};
 pub use correct::{Job, Options, correct};
 pub use outcome::{Outcome, TargetOutcome};
+pub use visits::written_pose;
