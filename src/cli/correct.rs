@@ -323,7 +323,8 @@ fn summary(name: &str, outcome: &Outcome) -> String {
         .filter_map(|target| target.figures.as_ref())
         .map(|figures| figures.correction_m)
         .collect();
-    let mean_mm = corrections.iter().sum::<f64>() / corrections.len().max(1) as f64 * 1e3;
+    // An empty sum is -0.0.
+    let mean_mm = (corrections.iter().sum::<f64>() + 0.0) / corrections.len().max(1) as f64 * 1e3;
     let largest_mm = corrections.iter().copied().fold(0.0, f64::max) * 1e3;
     format!(
         "{name}: {} corrected (by {mean_mm:.3} mm in the mean, {largest_mm:.3} mm at most), {} joint, {} computed, {} refused",

@@ -76,6 +76,17 @@ impl ArmModel {
         }
     }
 
+    /// True when some effect that is on, or the network, asks in which sense a joint arrives.
+    pub fn depends_on_approach(&self) -> bool {
+        let by_effect = self.effects.iter().zip(&self.parameters.effects).any(|(instance, values)| {
+            instance.effect.meta().needs.approach && values.iter().any(|&value| value != 0.0)
+        });
+        let by_network = self.network.as_ref().is_some_and(|network| {
+            network.features.iter().any(|feature| matches!(feature, super::network::Feature::Approach(_)))
+        });
+        by_effect || by_network
+    }
+
     /// The model with its parameters over the scalar `T`, ready to be evaluated many times.
     pub fn prepare<T: ModelScalar>(&self, parameters: Parameters<T>) -> PreparedArm<'_, T> {
         let loop_errors = LoopErrors {
