@@ -1,3 +1,7 @@
 //! The command line's entrance.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    falsetarget::cli::main()
+}

@@ -14,7 +14,29 @@ macro_rules! built_in {
     };
 }
 
-built_in!["hh800-class"];
+built_in![
+    "abb-irb120",
+    "abb-irb1600",
+    "abb-irb2400",
+    "abb-irb4600",
+    "abb-irb6640",
+    "abb-irb8700-800",
+    "fanuc-m20ia",
+    "fanuc-r2000ic-210f",
+    "hh800-class",
+    "hyundai-ha006b",
+    "hyundai-hs220",
+    "kawasaki-rs080",
+    "kuka-kr210-r2700",
+    "kuka-kr500",
+    "kuka-kr6-r900",
+    "staubli-tx90l",
+    "ur10",
+    "ur10e",
+    "ur5e",
+    "yaskawa-gp180",
+    "yaskawa-gp25",
+];
 
 /// The built-in robot of this name.
 ///

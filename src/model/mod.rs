@@ -7,6 +7,8 @@ pub mod conditions;
 pub mod effect;
 #[cfg(test)]
 pub(crate) mod fixture;
+pub mod inertia;
+pub mod jacobian;
 pub mod linkage;
 pub mod network;
 pub mod parameters;

@@ -177,3 +177,14 @@ pub struct LimitViolation {
     /// Its upper limit.
     pub max_rad: f64,
 }
+
+impl std::fmt::Display for LimitViolation {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.joint {
+            Some(joint) => write!(f, "joint {}", joint + 1)?,
+            None => write!(f, "the parallelogram's passive joint")?,
+        }
+        let [value, min, max] = [self.value_rad, self.min_rad, self.max_rad].map(f64::to_degrees);
+        write!(f, " would stand at {value:.3} deg, outside {min:.3} to {max:.3} deg")
+    }
+}

@@ -6,8 +6,11 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use nalgebra::Vector3;
+
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Span;
+use crate::base::units::{M_PER_MM, m_from_mm};
 use crate::geometry::orientation::OrientationConvention;
 use crate::geometry::pose::Pose;
 
@@ -226,7 +229,7 @@ pub enum PathKind {
 }
 
 /// What a move says about its tool, frame or load.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Reference {
     /// The program names none: the robot's own.
     #[default]
@@ -252,4 +255,43 @@ impl Target {
             _ => "cartesian",
         }
     }
+}
+
+impl Units {
+    /// Metres of one length unit.
+    pub fn length_m(self) -> f64 {
+        if self.metres { 1.0 } else { M_PER_MM }
+    }
+
+    /// Radians of one angle unit.
+    pub fn angle_rad(self) -> f64 {
+        if self.radians { 1.0 } else { 1f64.to_radians() }
+    }
+}
+
+impl CartesianNumbers {
+    /// The pose in its frame; `None` when the numbers make no orientation.
+    pub fn pose(&self) -> Option<Pose> {
+        let rotation = self.convention.rotation(&self.orientation_in_radians())?;
+        let translation = position_m(&self.position, self.units);
+        Some(Pose { rotation, translation })
+    }
+
+    /// The orientation numbers with angles in radians.
+    pub fn orientation_in_radians(&self) -> Vec<f64> {
+        let scale = if self.convention.is_quaternion() { 1.0 } else { self.units.angle_rad() };
+        self.orientation.iter().map(|field| field.value * scale).collect()
+    }
+}
+
+impl JointNumbers {
+    /// The joint values, rad.
+    pub fn numbers_rad(&self) -> [f64; 6] {
+        std::array::from_fn(|joint| self.joints[joint].value * self.units.angle_rad())
+    }
+}
+
+/// Three length numbers as a vector, m. Millimetres are divided, so that 0.1 mm stays the nearest double.
+pub fn position_m(fields: &[NumberField; 3], units: Units) -> Vector3<f64> {
+    Vector3::from_fn(|axis, _| if units.metres { fields[axis].value } else { m_from_mm(fields[axis].value) })
 }

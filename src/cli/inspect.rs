@@ -1,0 +1,67 @@
+//! `falsetarget inspect`: what targets a program holds.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use crate::program::dialect::Dialect;
+use crate::report::targets::{FileReport, TargetsReport, files};
+
+use super::console::Console;
+use super::exit::{Exit, Failure};
+use super::{load, output};
+
+/// List every target of a program: where it stands, what it is, which moves use it, and what `correct` could do with it
+///
+/// No model is needed: the class says what the text alone tells. `corrected` means correctable.
+#[derive(clap::Args)]
+pub struct Args {
+    /// Take the files as this language instead of telling it from their content
+    #[arg(long, value_name = "NAME", value_parser = load::parse_dialect)]
+    dialect: Option<&'static dyn Dialect>,
+    /// Print JSON (falsetarget/targets/1)
+    #[arg(long)]
+    json: bool,
+    /// Programs; none, or `-`, reads one from standard input
+    #[arg(value_name = "PROGRAM")]
+    programs: Vec<PathBuf>,
+}
+
+pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
+    let mut reports = Vec::new();
+    let standard_input = [PathBuf::from("-")];
+    let programs = if args.programs.is_empty() { &standard_input[..] } else { &args.programs };
+    for path in programs {
+        let source = if path.as_os_str() == "-" { load::standard_input()? } else { load::source(path)? };
+        let loaded = load::program(source, args.dialect)?;
+        for diagnostic in &loaded.program.diagnostics {
+            console.diagnostic(&loaded.sources, diagnostic);
+        }
+        reports.extend(files(&loaded.sources, loaded.dialect, &loaded.program, None));
+    }
+    let report = TargetsReport::new(reports);
+    if args.json {
+        output::write_json(Path::new("-"), &report)?;
+    } else {
+        let mut text = String::new();
+        report.files.iter().for_each(|file| table(&mut text, file));
+        let summary = &report.summary;
+        let _ = writeln!(
+            text,
+            "{} correctable, {} joint, {} computed, {} refused in {} file(s)",
+            summary.corrected, summary.joint, summary.computed, summary.refused, summary.files
+        );
+        output::print(text.as_bytes())?;
+    }
+    Ok(if report.summary.refused > 0 { Exit::No } else { Exit::Done })
+}
+
+fn table(text: &mut String, file: &FileReport) {
+    let _ = writeln!(text, "{} ({})", file.path, file.dialect);
+    for target in &file.targets {
+        let name = target.name.as_deref().unwrap_or("-");
+        let _ = write!(text, "{:>7}  {:<16} {:<9} {:<9}", target.line, name, target.kind, target.class.word());
+        let _ = write!(text, " {}", target.describe());
+        let _ =
+            writeln!(text, "{}", target.reason.as_deref().map(|reason| format!("  ({reason})")).unwrap_or_default());
+    }
+}

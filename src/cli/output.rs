@@ -1,0 +1,57 @@
+//! Writing: a file appears whole or not at all.
+
+use std::io::Write;
+use std::path::Path;
+
+use super::exit::Failure;
+
+/// Writes bytes to a path, or to standard output for `-`.
+///
+/// A file is written beside its place under another name, flushed to the disk, and renamed.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    if path.as_os_str() == "-" {
+        return print(bytes);
+    }
+    if path.is_dir() {
+        return Err(Failure::Usage(format!("{} is a directory; name a file", path.display())));
+    }
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let whole = || {
+        let mut file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder)?;
+        file.write_all(bytes)?;
+        keep_permissions(path, file.as_file())?;
+        file.as_file().sync_all()?;
+        file.persist(path).map_err(|error| error.error)?;
+        Ok(())
+    };
+    whole().map_err(|error| Failure::file(path, error))
+}
+
+/// A new file gets what the user's mask allows; one that is replaced keeps what it had.
+fn keep_permissions(path: &Path, file: &std::fs::File) -> std::io::Result<()> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let mode = std::fs::metadata(path).map_or(0o644, |metadata| metadata.permissions().mode());
+        file.set_permissions(std::fs::Permissions::from_mode(mode))?;
+    }
+    #[cfg(not(unix))]
+    let _ = (path, file);
+    Ok(())
+}
+
+/// Writes bytes to standard output.
+pub fn print(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    out.write_all(bytes).and_then(|()| out.flush()).map_err(Failure::Output)
+}
+
+/// Writes a value as JSON with a last newline.
+pub fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(), Failure> {
+    let mut text = serde_json::to_vec_pretty(value).map_err(|error| Failure::Output(std::io::Error::other(error)))?;
+    text.push(b'\n');
+    write(path, &text)
+}

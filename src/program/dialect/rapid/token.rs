@@ -1,0 +1,145 @@
+//! RAPID text as a flat list of tokens. Comments, blanks and the `%%%` header leave no token; any bytes give tokens.
+
+use crate::base::text::{Source, Span};
+use crate::program::number::number_at;
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TokenKind {
+    /// An identifier or keyword.
+    Name,
+    /// An unsigned decimal number; a sign before it is a symbol of its own.
+    Number,
+    /// A string with its quotes.
+    Text,
+    /// `:=`
+    Assign,
+    /// Any other byte; `#` stands for a number that is not decimal (`0x1F`) or not finite.
+    Symbol(u8),
+}
+
+/// A piece of the text.
+#[derive(Clone, Copy, Debug)]
+pub struct Token {
+    /// What it is.
+    pub kind: TokenKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// The tokens of a file, at most `limit` of them.
+pub fn tokens(source: &Source, limit: usize) -> Vec<Token> {
+    let bytes = source.bytes();
+    let mut at = header_end(bytes);
+    let mut found = Vec::new();
+    while at < bytes.len() && found.len() < limit {
+        let byte = bytes[at];
+        if byte.is_ascii_whitespace() || byte == 0 {
+            at += 1;
+            continue;
+        }
+        if byte == b'!' {
+            at = line_end(bytes, at);
+            continue;
+        }
+        let (kind, end) = token_at(bytes, at);
+        found.push(Token { kind, span: Span::new(at, end) });
+        at = end;
+    }
+    found
+}
+
+fn token_at(bytes: &[u8], at: usize) -> (TokenKind, usize) {
+    let byte = bytes[at];
+    let next = bytes.get(at + 1).copied();
+    if byte == b'"' {
+        return (TokenKind::Text, string_end(bytes, at));
+    }
+    if byte == b':' && next == Some(b'=') {
+        return (TokenKind::Assign, at + 2);
+    }
+    if is_name_byte(byte) && !byte.is_ascii_digit() {
+        return (TokenKind::Name, name_end(bytes, at));
+    }
+    if byte.is_ascii_digit() || (byte == b'.' && next.is_some_and(|next| next.is_ascii_digit())) {
+        return match number_at(bytes, at) {
+            Some(field) if !bytes.get(field.span.end).is_some_and(|&byte| is_name_byte(byte)) => {
+                (TokenKind::Number, field.span.end)
+            }
+            Some(field) => (TokenKind::Symbol(b'#'), name_end(bytes, field.span.end)),
+            None => (TokenKind::Symbol(b'#'), unreadable_number_end(bytes, at)),
+        };
+    }
+    (TokenKind::Symbol(byte), at + 1)
+}
+
+/// Bytes above 0x7f are letters: Latin-1 allows them in names of some controllers, and UTF-8 spells letters with them.
+fn is_name_byte(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80
+}
+
+fn name_end(bytes: &[u8], from: usize) -> usize {
+    from + bytes[from..].iter().take_while(|&&byte| is_name_byte(byte)).count()
+}
+
+fn unreadable_number_end(bytes: &[u8], from: usize) -> usize {
+    let digits = bytes[from..].iter().take_while(|&&byte| is_name_byte(byte) || byte == b'.').count();
+    from + digits.max(1)
+}
+
+fn line_end(bytes: &[u8], from: usize) -> usize {
+    from + bytes[from..].iter().take_while(|&&byte| byte != b'\n' && byte != b'\r').count()
+}
+
+/// A string ends at its quote (`""` is a quote inside) or, unclosed, at the line end.
+fn string_end(bytes: &[u8], open: usize) -> usize {
+    let mut at = open + 1;
+    while let Some(&byte) = bytes.get(at) {
+        match byte {
+            b'"' if bytes.get(at + 1) == Some(&b'"') => at += 2,
+            b'"' => return at + 1,
+            b'\n' | b'\r' => return at,
+            _ => at += 1,
+        }
+    }
+    at
+}
+
+/// The end of the `%%%` ... `%%%` block (version, language) with which controllers head a file.
+fn header_end(bytes: &[u8]) -> usize {
+    let start = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+    let blanks = bytes[start..].iter().take_while(|byte| byte.is_ascii_whitespace()).count();
+    let head = start + blanks;
+    if !bytes[head..].starts_with(b"%%%") {
+        return start;
+    }
+    // The closing mark stands near: a file that opens a header and never closes it is read from after the mark.
+    let window = &bytes[head + 3..bytes.len().min(head + 4096)];
+    window.windows(3).position(|three| three == b"%%%").map_or(head + 3, |close| head + close + 6)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(text: &str) -> Vec<String> {
+        let source = Source::new("t", text);
+        tokens(&source, usize::MAX).iter().map(|token| source.text(token.span).into_owned()).collect()
+    }
+
+    #[test]
+    fn comments_strings_and_headers_leave_the_right_tokens() {
+        assert_eq!(
+            texts("%%%\n VERSION:1\n%%%\nTPWrite \"a!\"\"b\";!c;\r\nx:=-.5E-3;"),
+            ["TPWrite", "\"a!\"\"b\"", ";", "x", ":=", "-", ".5E-3", ";"]
+        );
+        assert_eq!(texts("0x1F 1e999 \"open\nz10"), ["0x1F", "1e999", "\"open", "z10"]);
+    }
+
+    #[test]
+    fn other_number_systems_are_not_taken_for_decimal() {
+        let source = Source::new("t", "0x1F 12 1.5");
+        let kinds: Vec<_> = tokens(&source, 9).iter().map(|token| token.kind).collect();
+        assert_eq!(kinds, [TokenKind::Symbol(b'#'), TokenKind::Number, TokenKind::Number]);
+    }
+}

@@ -1,0 +1,4 @@
+//! Floor 6: results as data that other programs read and as tables that people read. Draws nothing itself.
+
+pub mod landing;
+pub mod targets;

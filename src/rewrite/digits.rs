@@ -1,0 +1,178 @@
+//! From exact numbers to written ones: as few digits as the file has, as many as a micrometre needs.
+
+use nalgebra::Matrix3;
+
+use crate::base::edit::EditSet;
+use crate::base::text::Source;
+use crate::geometry::pose::{Pose, vector_from_rotation};
+use crate::program::number::{NumberField, NumberRules, written};
+use crate::program::target::{CartesianNumbers, JointNumbers, Units, position_m};
+
+/// Error that rounding may make: 0.9 um and 0.9 urad.
+const ROUNDING: f64 = 0.9e-6;
+/// Change of an orientation, rad, below which its numbers stay as they are.
+const SAME_ORIENTATION: f64 = 1e-9;
+
+/// Decimals at which even the worst rounding of three numbers stays below [`ROUNDING`].
+fn decimals_that_suffice(unit_size: f64) -> usize {
+    // sqrt(3)/2 units in the last place at worst.
+    let needed = (unit_size * 0.87 / ROUNDING).log10().ceil();
+    if needed > 0.0 { needed as usize } else { 0 }
+}
+
+/// Writes the numbers of a group: with the decimals of the file where `error` of the rounded numbers is small enough,
+/// else with as many as always suffice.
+fn write_group(
+    fields: &[&NumberField],
+    exact: &[f64],
+    unit_size: f64,
+    rules: &NumberRules,
+    error: impl Fn(&[f64]) -> f64,
+) -> Vec<usize> {
+    let own: Vec<usize> = fields.iter().map(|field| field.decimals.min(rules.max_decimals)).collect();
+    let rounded: Vec<f64> = exact.iter().zip(&own).map(|(&number, &decimals)| round(number, decimals)).collect();
+    if error(&rounded) <= ROUNDING {
+        return own;
+    }
+    let enough = decimals_that_suffice(unit_size).min(rules.max_decimals);
+    own.iter().map(|&decimals| decimals.max(enough)).collect()
+}
+
+fn round(number: f64, decimals: usize) -> f64 {
+    format!("{number:.decimals$}").parse().unwrap_or(number)
+}
+
+/// Adds the edits of a group and gives the numbers as they will be read.
+fn push_group(
+    edits: &mut EditSet,
+    source: &Source,
+    fields: &[&NumberField],
+    exact: &[f64],
+    decimals: &[usize],
+) -> Vec<f64> {
+    let mut as_read = Vec::with_capacity(fields.len());
+    for ((field, &number), &decimals) in fields.iter().zip(exact).zip(decimals) {
+        let rounded = round(number, decimals);
+        // A number that does not change keeps its spelling; a default that is left out stays out.
+        if rounded == field.value || (number - field.value).abs() < f64::EPSILON * 16.0 * number.abs() {
+            as_read.push(field.value);
+            continue;
+        }
+        let (span, text) = written(field, source.slice(field.span), number, decimals);
+        edits.push(span, text);
+        as_read.push(rounded);
+    }
+    as_read
+}
+
+/// Writes a pose into the numbers of a target; gives the pose as it will be read back.
+pub fn write_pose(
+    edits: &mut EditSet,
+    source: &Source,
+    numbers: &CartesianNumbers,
+    rules: &NumberRules,
+    pose: &Pose,
+) -> Pose {
+    let translation = write_position(edits, source, &numbers.position, numbers.units, rules, &pose.translation);
+    let near = numbers.orientation_in_radians();
+    let as_written = numbers.convention.rotation(&near).unwrap_or_else(Matrix3::identity);
+    let turned_by = |rotation: &Matrix3<f64>| vector_from_rotation(&(pose.rotation * rotation.transpose())).norm();
+    if turned_by(&as_written) < SAME_ORIENTATION {
+        return Pose { rotation: as_written, translation };
+    }
+    let quaternion = numbers.convention.is_quaternion();
+    let unit = if quaternion { 1.0 } else { numbers.units.angle_rad() };
+    let exact: Vec<f64> =
+        numbers.convention.numbers(&pose.rotation, &near).iter().map(|number| number / unit).collect();
+    let read = |values: &[f64]| {
+        let in_radians: Vec<f64> = values.iter().map(|value| value * unit).collect();
+        numbers.convention.rotation(&in_radians)
+    };
+    // A quaternion's components turn twice as far as they change.
+    let unit_size = if quaternion { 2.0 } else { unit };
+    let fields: Vec<&NumberField> = numbers.orientation.iter().collect();
+    let error = |values: &[f64]| read(values).map_or(f64::INFINITY, |rotation| turned_by(&rotation));
+    let decimals = write_group(&fields, &exact, unit_size, rules, error);
+    let as_read = push_group(edits, source, &fields, &exact, &decimals);
+    Pose { rotation: read(&as_read).unwrap_or(pose.rotation), translation }
+}
+
+/// Writes three lengths; gives them as they will be read back, m.
+pub fn write_position(
+    edits: &mut EditSet,
+    source: &Source,
+    position: &[NumberField; 3],
+    units: Units,
+    rules: &NumberRules,
+    exact_m: &nalgebra::Vector3<f64>,
+) -> nalgebra::Vector3<f64> {
+    let unit = units.length_m();
+    let fields: Vec<&NumberField> = position.iter().collect();
+    let exact: Vec<f64> = exact_m.iter().map(|length| if units.metres { *length } else { length * 1e3 }).collect();
+    let error = |values: &[f64]| values.iter().zip(&exact).map(|(a, b)| ((a - b) * unit).powi(2)).sum::<f64>().sqrt();
+    let decimals = write_group(&fields, &exact, unit, rules, error);
+    let as_read = push_group(edits, source, &fields, &exact, &decimals);
+    let mut read_back = position.clone();
+    for (field, value) in read_back.iter_mut().zip(as_read) {
+        field.value = value;
+    }
+    position_m(&read_back, units)
+}
+
+/// Writes six joint values; gives them as they will be read back, rad.
+pub fn write_joints(
+    edits: &mut EditSet,
+    source: &Source,
+    numbers: &JointNumbers,
+    rules: &NumberRules,
+    exact_rad: &[f64; 6],
+    reach_m: f64,
+) -> [f64; 6] {
+    let unit = numbers.units.angle_rad();
+    let fields: Vec<&NumberField> = numbers.joints.iter().collect();
+    let exact: Vec<f64> = exact_rad.iter().map(|angle| angle / unit).collect();
+    // A joint's error moves the tool by at most its angle times the reach.
+    let error =
+        |values: &[f64]| values.iter().zip(&exact).map(|(a, b)| (a - b).abs() * unit * reach_m.max(1.0)).sum::<f64>();
+    let decimals = write_group(&fields, &exact, unit * 2.0 * reach_m.max(1.0), rules, error);
+    let as_read = push_group(edits, source, &fields, &exact, &decimals);
+    std::array::from_fn(|joint| as_read[joint] * unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::number::number_at;
+
+    fn fields(text: &str) -> [NumberField; 3] {
+        let mut at = 0;
+        std::array::from_fn(|_| {
+            let field = number_at(text.as_bytes(), at).expect("a number");
+            at = field.span.end + 1;
+            field
+        })
+    }
+
+    fn rewritten(text: &str, exact_mm: [f64; 3]) -> String {
+        let source = Source::new("t", text);
+        let mut edits = EditSet::default();
+        let exact_m = nalgebra::Vector3::from(exact_mm) * 1e-3;
+        write_position(&mut edits, &source, &fields(text), Units::MM_DEG, &NumberRules::default(), &exact_m);
+        String::from_utf8(edits.apply(source.bytes()).expect("disjoint")).expect("ascii")
+    }
+
+    #[test]
+    fn the_files_own_decimals_stay_where_they_suffice() {
+        assert_eq!(rewritten("1.000,2.000,3.000", [1.1234, 2.0001, 3.0]), "1.123,2.000,3.000");
+        assert_eq!(rewritten("1.0,2.0,3.0", [1.5, 2.0, 3.0]), "1.5,2.0,3.0");
+    }
+
+    #[test]
+    fn decimals_are_added_where_a_micrometre_needs_them() {
+        assert_eq!(rewritten("1.0,2.0,3.0", [1.1234, 2.0, 3.0]), "1.123,2.0,3.0");
+        assert_eq!(rewritten("1,2,3", [1.1234, 2.25, 3.0]), "1.123,2.250,3");
+        assert_eq!(decimals_that_suffice(1e-3), 3);
+        assert_eq!(decimals_that_suffice(1f64.to_radians()), 5);
+        assert_eq!(decimals_that_suffice(1.0), 6);
+    }
+}

@@ -1,0 +1,16 @@
+//! Floor 5: a program, a cell and a model of the real arm become a corrected program and a list that says what
+//! happened to every target.
+
+pub mod class;
+pub mod correct;
+mod digits;
+mod displaced;
+pub mod outcome;
+pub mod play;
+mod setting;
+mod visits;
+
+pub use class::{Class, class_by_text};
+pub use correct::{Job, Options, correct};
+pub use outcome::{Outcome, TargetOutcome};
+pub use visits::written_pose;

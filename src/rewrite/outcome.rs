@@ -1,0 +1,64 @@
+//! What happened to every target of a job.
+
+use crate::base::edit::EditSet;
+use crate::geometry::pose::Pose;
+use crate::model::robot::DOF;
+
+use super::class::Class;
+
+/// What happened to the targets of one job, in the order of [`crate::program::target::Program::targets`].
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// One a target.
+    pub targets: Vec<TargetOutcome>,
+    /// The edits of each file of the job.
+    pub edits: Vec<EditSet>,
+}
+
+/// What happened to a target.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TargetOutcome {
+    /// Its class.
+    pub class: Class,
+    /// Why, where it is not corrected; or what to know, where it is.
+    pub reason: Option<String>,
+    /// The figures of a corrected target.
+    pub figures: Option<Figures>,
+}
+
+/// The figures of a corrected target.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figures {
+    /// Distance between the written and the corrected target, m.
+    pub correction_m: f64,
+    /// Turn between the written and the corrected target, rad.
+    pub correction_rad: f64,
+    /// Steps of the inversion.
+    pub iterations: usize,
+    /// Joint numbers that the controller commanded before, rad.
+    pub nominal_rad: [f64; DOF],
+    /// Joint numbers that it commands now, rad.
+    pub numbers_rad: [f64; DOF],
+    /// The target as written before, in its frame.
+    pub before: Pose,
+    /// The target as written now, in its frame, digits and all.
+    pub after: Pose,
+    /// Where the real arm would have landed, in the frame of the target.
+    pub lands_before: Pose,
+    /// Orientation error that stays because a displaced target shares the orientation of its base, rad.
+    pub orientation_left_rad: f64,
+}
+
+impl TargetOutcome {
+    /// A target that is left alone.
+    pub fn left(class: Class, reason: impl Into<Option<String>>) -> Self {
+        Self { class, reason: reason.into(), figures: None }
+    }
+}
+
+impl Outcome {
+    /// Number of targets of a class.
+    pub fn count(&self, class: Class) -> usize {
+        self.targets.iter().filter(|target| target.class == class).count()
+    }
+}
