@@ -21,8 +21,8 @@ use super::yaml::{PoseEntry, complain, parse};
 mod names;
 mod uncertainty;
 
-pub use names::geometry_name;
-use names::{geometry_id, geometry_ids, unit_of};
+use names::{geometry_id, geometry_ids};
+pub use names::{geometry_name, geometry_unit};
 use uncertainty::UncertaintyEntry;
 
 /// The word in the first line of a model file.
@@ -325,8 +325,8 @@ fn fill_geometry(
             );
             return wrong("parameter", message);
         };
-        if entry.unit != unit_of(id) {
-            let message = format!("unit `{}`; `{}` is given in {}", entry.unit, entry.quantity, unit_of(id));
+        if entry.unit != geometry_unit(id) {
+            let message = format!("unit `{}`; `{}` is given in {}", entry.unit, entry.quantity, geometry_unit(id));
             return wrong("unit", message);
         }
         if !entry.value.is_finite() || entry.value.abs() > LARGEST_ERROR {
@@ -411,7 +411,7 @@ pub fn write(calibration: &Calibration) -> Result<String, serde_yaml::Error> {
                 return None;
             }
             let (at, quantity) = geometry_name(id)?;
-            Some(GeometryEntry { at, quantity, value, unit: unit_of(id).into(), sigma })
+            Some(GeometryEntry { at, quantity, value, unit: geometry_unit(id).into(), sigma })
         })
         .collect();
     // An effect that is zero and that nobody has asked about is no news.

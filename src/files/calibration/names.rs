@@ -40,8 +40,8 @@ pub(super) fn geometry_id(at: &str, quantity: &str) -> Option<ParameterId> {
     geometry_ids().find(|&id| geometry_name(id).is_some_and(|(place, name)| place == at && name == quantity))
 }
 
-/// Its unit in files.
-pub(super) fn unit_of(id: ParameterId) -> &'static str {
+/// The unit of a geometric parameter, in files and inside.
+pub fn geometry_unit(id: ParameterId) -> &'static str {
     match id {
         ParameterId::Row(_, RowQuantity::D | RowQuantity::A) | ParameterId::Loop(_) => "m",
         ParameterId::Base(component) | ParameterId::Tool(component) if component < 3 => "m",
