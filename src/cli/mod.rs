@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+mod batch;
 mod console;
 mod correct;
 mod exit;
@@ -12,6 +13,7 @@ mod load;
 mod output;
 mod robots;
 mod simulate;
+mod tell;
 
 use console::Console;
 
