@@ -5,6 +5,7 @@ pub mod arm;
 pub mod chain;
 pub mod conditions;
 pub mod effect;
+mod equilibrium;
 #[cfg(test)]
 pub(crate) mod fixture;
 pub mod inertia;
