@@ -98,6 +98,9 @@ impl Console {
                     self.diagnostic(std::slice::from_ref(source.as_ref()), diagnostic);
                 }
             }
+            Failure::Recording(refusal) => {
+                self.diagnostic(&[], &Diagnostic::error("recording", refusal.to_string()));
+            }
             Failure::File { .. } | Failure::Output(_) => {
                 self.diagnostic(&[], &Diagnostic::error("file", failure.to_string()));
             }

@@ -5,6 +5,7 @@ pub mod arm;
 pub mod chain;
 pub mod conditions;
 pub mod effect;
+mod equilibrium;
 #[cfg(test)]
 pub(crate) mod fixture;
 pub mod inertia;
@@ -14,3 +15,4 @@ pub mod network;
 pub mod parameters;
 pub mod robot;
 pub mod statics;
+pub mod uncertainty;

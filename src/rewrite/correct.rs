@@ -227,7 +227,7 @@ impl Work<'_> {
         // With nothing to correct the target stays the very numbers it was.
         let after =
             if correction.iterations == 0 { written } else { setting.target(&forward(&correction.numbers_rad)?) };
-        let lands_before = self.lands(setting, nominal_rad, conditions)?;
+        let lands_before = setting.landed(&correction.nominal_lands);
         Ok(figures(&correction, *nominal_rad, written, after, lands_before))
     }
 
