@@ -7,10 +7,11 @@ use super::target::Program;
 
 mod fanuc;
 mod hyundai;
+mod inform;
 mod rapid;
 
 /// Every language that the tool reads.
-pub const DIALECTS: &[&dyn Dialect] = &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc];
+pub const DIALECTS: &[&dyn Dialect] = &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform];
 
 /// What there is to know about a language without reading a program.
 #[derive(Clone, Copy, Debug)]

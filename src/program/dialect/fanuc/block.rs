@@ -178,6 +178,7 @@ fn number(bytes: &[u8], cursor: &mut Cursor<'_>) -> EntryValue {
     // `12.3.4` is no number, and neither is `1-2`.
     if cursor.peek().is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b'+' | b'-')) {
         cursor.skip_while(|byte| !byte.is_ascii_whitespace() && byte != b',');
+        unit(cursor);
         return EntryValue::Broken;
     }
     let column = Span::new(column_start, field.span.end);
