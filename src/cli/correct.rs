@@ -20,19 +20,22 @@ use super::exit::{Exit, Failure};
 use super::load::{self, Loaded};
 use super::output;
 
+const EXAMPLES: &str = "\
+Examples:
+  cat job.mod | falsetarget correct --model model.yaml > corrected.mod
+  falsetarget correct --model model.yaml --cell cell.yaml job.mod -o corrected.mod --report targets.json
+  falsetarget correct --model model.yaml --out-dir corrected/ library/";
+
 /// Rewrite programs so that the real robot lands where the programmer meant
 ///
 /// Every target is replaced by a false target: the command that makes the arm described by the model arrive at the
-/// intended pose. Nothing else in the file changes, and a model without error gives the file back byte for byte.
-///
-/// With no PROGRAM one program is read from standard input and the corrected one written to standard output:
-///
-///     cat job.mod | falsetarget correct --model model.yaml > corrected.mod
+/// intended pose. Nothing else in the file changes, and a model without error gives the file back byte for byte. With
+/// no PROGRAM one program is read from standard input and the corrected one written to standard output.
 ///
 /// Every target is listed as corrected, joint (left alone unless --joint-targets), computed (its value is not in the
 /// text) or refused (no solution). One refused target and nothing is written, unless --allow-partial.
 #[derive(clap::Args)]
-#[command(verbatim_doc_comment)]
+#[command(after_help = EXAMPLES)]
 pub struct Args {
     /// Model of the real robot, a robot file, or a built-in robot's name
     #[arg(long, value_name = "MODEL")]
@@ -323,7 +326,8 @@ fn summary(name: &str, outcome: &Outcome) -> String {
         .filter_map(|target| target.figures.as_ref())
         .map(|figures| figures.correction_m)
         .collect();
-    let mean_mm = corrections.iter().sum::<f64>() / corrections.len().max(1) as f64 * 1e3;
+    // An empty sum is -0.0.
+    let mean_mm = (corrections.iter().sum::<f64>() + 0.0) / corrections.len().max(1) as f64 * 1e3;
     let largest_mm = corrections.iter().copied().fold(0.0, f64::max) * 1e3;
     format!(
         "{name}: {} corrected (by {mean_mm:.3} mm in the mean, {largest_mm:.3} mm at most), {} joint, {} computed, {} refused",

@@ -121,10 +121,12 @@ fn landing(written: &Loaded, arrival: &Arrival, corrected: &[Arrival]) -> Landin
     let target = &written.program.targets[arrival.target];
     let line = written.sources[target.file].line(target.span.start);
     let same = |other: &&Arrival| (other.target, other.one_use) == (arrival.target, arrival.one_use);
+    let other = corrected.iter().find(same);
     Landing {
         label: target.name.clone().unwrap_or_else(|| format!("line {line}")),
         intended: arrival.written,
         uncorrected: arrival.landed,
-        corrected: corrected.iter().find(same).map(|other| other.landed),
+        corrected: other.map(|other| other.landed),
+        left_alone: other.is_some_and(|other| other.written == arrival.written),
     }
 }

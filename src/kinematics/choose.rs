@@ -56,7 +56,7 @@ impl Controller {
     /// less in proportion within [`CLEARLY`] of the place where the two sides meet.
     ///
     /// # Errors
-    /// [`NoSolution::JointLimit`] when every solution lies outside the limits.
+    /// [`NoSolution::JointLimit`] when every solution lies outside the limits by more than [`LIMIT_SLACK_RAD`].
     pub fn choose(
         &self,
         branches: &Branches,

@@ -15,7 +15,7 @@ use nalgebra::Vector3;
 use crate::geometry::pose::Pose;
 use crate::model::robot::DOF;
 
-use super::planar::{Planar, PlanarSolution};
+use super::planar::Planar;
 use super::skeleton::Skeleton;
 use super::turn::{Circle, CircleFrame, Turn};
 use super::wrist::{Pin, Wrist, WristSolution};
@@ -171,7 +171,7 @@ impl ClosedForm {
         for swing in swings.into_iter().take(given) {
             let back = swing.back();
             let swung = Swung {
-                turn: swing,
+                angle_rad: swing.angle_rad(),
                 center: back.rotate(first_axis, &center),
                 rotation: back.matrix(first_axis) * turned,
             };
@@ -197,10 +197,11 @@ impl ClosedForm {
         for arm in self.plane.solve(&point, SLACK_M).map_err(Shortage::Position)? {
             let raised = arm.second.then(arm.third.seen(self.plane.third_sense));
             let left = raised.back().matrix(second_axis) * swung.rotation;
+            let arm_rad = [arm.second.angle_rad(), arm.third.angle_rad()];
             match self.wrist.solve(&left, pin, freedom.straight_below_rad) {
                 Ok(wrists) => {
                     for wrist in wrists.into_iter().flatten() {
-                        roots.push(swung.root(&arm, wrist.turns[0], &wrist));
+                        roots.push(swung.root(arm_rad, wrist.angles_rad[0], arm.bend_sin, &wrist));
                     }
                 }
                 Err(by_rad) => outcome = Err(Shortage::Orientation(by_rad)),
@@ -222,20 +223,31 @@ impl ClosedForm {
         let wrists =
             self.wrist.solve(&swung.rotation, pin, freedom.straight_below_rad).map_err(Shortage::Orientation)?;
         let mut outcome = Ok(());
-        for wrist in wrists.into_iter().flatten() {
-            let raised = wrist.turns[0];
-            let carried = swung.center + self.skeleton.points[0] - raised.rotate(second_axis, forearm);
+        let center = swung.center + self.skeleton.points[0];
+        for mut wrist in wrists.into_iter().flatten() {
+            let mut raised = wrist.first;
+            if wrist.opening_sin < freedom.straight_below_rad {
+                // The forearm may turn with the hand held still, but not everywhere.
+                let (to_center, arm) = (self.plane.coordinates(&center), self.plane.components(forearm));
+                raised = self.plane.turn_into_reach(&to_center, &arm, raised).unwrap_or(raised);
+                wrist = self.wrist.with_first(&swung.rotation, raised, wrist.opening_sin);
+            }
+            let carried = center - raised.rotate(second_axis, forearm);
             match self.plane.solve(&self.plane.coordinates(&carried), SLACK_M) {
                 Ok(arms) => {
                     for arm in arms {
                         let before = arm.second.then(arm.third.seen(self.plane.third_sense));
                         let fourth = raised.then(before.back()).seen(fourth_sense);
-                        roots.push(swung.root(&arm, fourth, &wrist));
+                        let arm_rad = [arm.second.angle_rad(), arm.third.angle_rad()];
+                        roots.push(swung.root(arm_rad, fourth.angle_rad(), arm.bend_sin, &wrist));
                     }
                 }
                 Err(by_m) => {
-                    outcome =
-                        Err(smaller(outcome.err(), Some(Shortage::Position(by_m))).unwrap_or(Shortage::Position(by_m)))
+                    let least_m = match outcome {
+                        Err(Shortage::Position(other_m)) => other_m.min(by_m),
+                        _ => by_m,
+                    };
+                    outcome = Err(Shortage::Position(least_m));
                 }
             }
         }
@@ -245,18 +257,19 @@ impl ClosedForm {
 
 /// The target seen from the arm once axis 1 is turned.
 struct Swung {
-    turn: Turn,
+    angle_rad: f64,
     center: Vector3<f64>,
     rotation: nalgebra::Matrix3<f64>,
 }
 
 impl Swung {
-    fn root(&self, arm: &PlanarSolution, fourth: Turn, wrist: &WristSolution) -> Root {
-        let turns = [self.turn, arm.second, arm.third, fourth, wrist.turns[1], wrist.turns[2]];
+    fn root(&self, arm_rad: [f64; 2], fourth_rad: f64, bend_sin: f64, wrist: &WristSolution) -> Root {
+        let [second, third] = arm_rad;
+        let [_, fifth, sixth] = wrist.angles_rad;
         Root {
-            theta_rad: turns.map(Turn::angle_rad),
+            theta_rad: [self.angle_rad, second, third, fourth_rad, fifth, sixth],
             swung: self.center,
-            bend_sin: arm.bend_sin,
+            bend_sin,
             opening_sin: wrist.opening_sin,
             misfit: wrist.misfit_rad,
         }

@@ -9,6 +9,7 @@
 pub mod choose;
 pub mod closed_form;
 pub mod controller;
+pub mod general;
 pub mod numeric;
 pub mod planar;
 pub mod posture;

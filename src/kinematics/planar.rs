@@ -58,8 +58,33 @@ impl Planar {
 
     /// Coordinates of a point in the plane, from the shoulder, m.
     pub fn coordinates(&self, point: &Vector3<f64>) -> Vector2<f64> {
-        let from_shoulder = point - self.shoulder;
-        Vector2::new(self.first.dot(&from_shoulder), self.second.dot(&from_shoulder))
+        self.components(&(point - self.shoulder))
+    }
+
+    /// Components of a vector in the plane.
+    pub fn components(&self, vector: &Vector3<f64>) -> Vector2<f64> {
+        Vector2::new(self.first.dot(vector), self.second.dot(vector))
+    }
+
+    /// The turn nearest to `turn` at which `center - R(turn) arm` (all in the plane) comes into reach; `None` when no
+    /// turn brings it there.
+    pub fn turn_into_reach(&self, center: &Vector2<f64>, arm: &Vector2<f64>, turn: Turn) -> Option<Turn> {
+        let (distance, length) = (center.norm(), arm.norm());
+        let product = 2.0 * distance * length;
+        if product < 1e-12 {
+            return None;
+        }
+        // The law of cosines: |center - R arm|^2 = distance^2 + length^2 - product cos(angle between the two).
+        let cos_at = |reach: f64| (distance * distance + length * length - reach * reach) / product;
+        let (least, most) = (cos_at(self.lower_m + self.upper_m), cos_at(self.lower_m - self.upper_m));
+        if least > 1.0 || most < -1.0 {
+            return None;
+        }
+        let aligned = Turn::toward(center.x, center.y).then(Turn::toward(arm.x, arm.y).back());
+        let apart = turn.then(aligned.back());
+        let cos = apart.cos.min(most.min(1.0)).max(least.max(-1.0));
+        let sin = ((1.0 - cos) * (1.0 + cos)).sqrt().copysign(apart.sin);
+        Some(aligned.then(Turn { cos, sin }))
     }
 
     /// The two ways to reach `point` (from the shoulder, m), or by how many metres it is out of reach.

@@ -1,8 +1,8 @@
 //! Which way an arm stands in a pose: in front or behind, elbow up or down, wrist to one side or the other.
 //!
 //! The three answers are geometry, not a maker's bits; dialects translate. They agree with ABB's cfx (4 = `rear`,
-//! 2 = `elbow_down`, 1 = `wrist_negative`), with FANUC's letters (B = `rear`, D = `elbow_down`) and with bits 0 and 2
-//! of KUKA's S; KUKA's bit 1 is set where `elbow_down` is false.
+//! 2 = `elbow_down`, 1 = `wrist_negative`), with FANUC's letters B and D, and with bits 0 (`rear`) and 2
+//! (`wrist_negative`) of KUKA's S. Bit 1 of KUKA's S is set in the usual bend: where `elbow_down` is false.
 
 use nalgebra::Vector3;
 

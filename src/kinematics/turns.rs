@@ -1,12 +1,12 @@
 //! Full turns of the joints: the same pose at numbers that differ by 360 degrees.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use crate::geometry::orientation::angle_near;
 use crate::model::robot::{DOF, LOOP_DRIVEN, Robot};
 
-/// Numbers this far outside a limit still count as inside, rad: rounding only.
-pub const LIMIT_SLACK_RAD: f64 = 1e-9;
+/// Numbers this far outside a limit still count as inside, rad: a pose taught at a limit is written with few decimals.
+pub const LIMIT_SLACK_RAD: f64 = 1e-4;
 /// More turns than this of one joint are not tried: unlimited joints have no end of them.
 const MOST_TURNS: f64 = 8.0;
 
@@ -52,6 +52,13 @@ impl TurnPlacer {
             let number = own_number(robot, actuators_rad, &numbers, joint);
             let limits = &robot.joints[joint];
             let wanted = nearest_in(preference.near_rad[joint], limits.min_rad, limits.max_rad);
+            let nearest = if (number - wanted).abs() <= PI { number } else { angle_near(number, wanted) };
+            let looped = joint == LOOP_DRIVEN && robot.parallelogram.is_some();
+            let allowed = nearest >= limits.min_rad && nearest <= limits.max_rad;
+            if allowed && !looped && preference.intervals_rad[joint].is_none() {
+                numbers[joint] = nearest;
+                continue;
+            }
             let mut best = (f64::INFINITY, number);
             let mut consider = |center: f64| {
                 let nearest = angle_near(number, center);

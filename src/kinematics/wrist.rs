@@ -1,5 +1,7 @@
 //! Three turns that make a given rotation: a wrist, or the forearm and wrist of an arm with three parallel axes.
 
+use std::f64::consts::{PI, TAU};
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::turn::{Circle, CircleFrame, Turn, turn_between};
@@ -14,6 +16,9 @@ pub struct Wrist {
     mark: Vector3<f64>,
     frame: CircleFrame,
     middle_to_last: f64,
+    /// Twice the middle angle of the straight wrist, where the axes are square: there the second way to make a
+    /// rotation is the mirror image of the first.
+    mirror_rad: Option<f64>,
 }
 
 /// The turn that is given where the rotation leaves one free.
@@ -28,8 +33,10 @@ pub enum Pin {
 /// One way to make the rotation.
 #[derive(Clone, Copy, Debug)]
 pub struct WristSolution {
-    /// Turns about the three axes.
-    pub turns: [Turn; 3],
+    /// Turn about the first axis.
+    pub first: Turn,
+    /// Angles about the three axes, rad.
+    pub angles_rad: [f64; 3],
     /// Sine of the angle between first and last axis: zero when only their sum or difference counts.
     pub opening_sin: f64,
     /// What is missing, rad.
@@ -41,6 +48,8 @@ pub type WristSolutions = [Option<WristSolution>; 2];
 
 /// How much further than the axes allow the last axis may point away, rad: rounding only.
 const SLACK: f64 = 1e-12;
+/// Cosine up to which two axes are square: rounding only.
+const SQUARE: f64 = 1e-14;
 
 impl Wrist {
     /// A wrist with these axes; `None` when two neighbours are parallel.
@@ -51,7 +60,10 @@ impl Wrist {
             return None;
         }
         let frame = CircleFrame::new(first, middle)?;
-        Some(Self { first, middle, last, mark: across / width, frame, middle_to_last: middle.dot(&last) })
+        let middle_to_last = middle.dot(&last);
+        let square = middle_to_last.abs() < SQUARE && first.dot(&middle).abs() < SQUARE;
+        let mirror_rad = square.then(|| 2.0 * turn_between(&middle, &last, &first).angle_rad());
+        Some(Self { first, middle, last, mark: across / width, frame, middle_to_last, mirror_rad })
     }
 
     /// The turns that make `rotation`. Openings below `straight_below_rad` count as straight: there `pin` decides.
@@ -61,10 +73,14 @@ impl Wrist {
     pub fn solve(&self, rotation: &Matrix3<f64>, pin: Pin, straight_below_rad: f64) -> Result<WristSolutions, f64> {
         let last = rotation * self.last;
         let (x, y) = self.frame.across(&last);
-        let opening_sin = x.hypot(y);
-        let solution = |first: Turn| Some(self.completed(rotation, &last, first, opening_sin));
+        let opening_sin = (x * x + y * y).sqrt();
+        let solution = |first: Turn| Some(self.with_first(rotation, first, opening_sin));
         match self.frame.solve(&last, self.middle_to_last, straight_below_rad, SLACK) {
-            Circle::Two([one, other]) => Ok([solution(one), solution(other)]),
+            Circle::Two([one, other]) => {
+                let given = solution(one);
+                let mirrored = given.zip(self.mirror_rad).map(|(given, mirror_rad)| given.mirrored(mirror_rad));
+                Ok([given, mirrored.or_else(|| solution(other))])
+            }
             Circle::Short(by) => Err(by),
             Circle::Free => Ok([solution(self.pinned_first(rotation, pin)), None]),
         }
@@ -81,14 +97,38 @@ impl Wrist {
     }
 
     /// Middle and last turn for a given first one, each from what the turns before it leave.
-    fn completed(&self, rotation: &Matrix3<f64>, last: &Vector3<f64>, first: Turn, opening_sin: f64) -> WristSolution {
-        let left = first.back().rotate(&self.first, last);
+    pub fn with_first(&self, rotation: &Matrix3<f64>, first: Turn, opening_sin: f64) -> WristSolution {
+        let last = rotation * self.last;
+        let left = first.back().rotate(&self.first, &last);
         let middle = turn_between(&self.middle, &self.last, &left);
         let marked = rotation * self.mark;
         let marked = middle.back().rotate(&self.middle, &first.back().rotate(&self.first, &marked));
         let turn = turn_between(&self.last, &self.mark, &marked);
         let misfit_rad = (middle.rotate(&self.middle, &self.last) - left).norm()
             + (turn.rotate(&self.last, &self.mark) - marked).norm();
-        WristSolution { turns: [first, middle, turn], opening_sin, misfit_rad }
+        WristSolution { first, angles_rad: [first, middle, turn].map(Turn::angle_rad), opening_sin, misfit_rad }
+    }
+}
+
+impl WristSolution {
+    /// The other way to make the same rotation with square axes.
+    fn mirrored(&self, mirror_rad: f64) -> Self {
+        let [first, middle, last] = self.angles_rad;
+        Self {
+            first: Turn { cos: -self.first.cos, sin: -self.first.sin },
+            angles_rad: [first + PI, mirror_rad - middle, last + PI].map(within_half_turn),
+            ..*self
+        }
+    }
+}
+
+/// The same angle, -pi to pi; for angles of less than three half turns.
+fn within_half_turn(angle_rad: f64) -> f64 {
+    if angle_rad > PI {
+        angle_rad - TAU
+    } else if angle_rad < -PI {
+        angle_rad + TAU
+    } else {
+        angle_rad
     }
 }

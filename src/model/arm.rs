@@ -4,12 +4,12 @@ use crate::geometry::pose::Pose;
 
 use super::chain::{Chain, Rows, displacement_pose};
 use super::conditions::Conditions;
-use super::effect::{Context, Effect, Location, ModelScalar, Response};
+use super::effect::{Context, Effect, Location, ModelScalar, Response, Setting};
 use super::linkage::{LoopErrors, LoopOpen, RowAngles, actuators_from_numbers, row_angles};
 use super::network::{Output, ResidualNetwork};
 use super::parameters::Parameters;
 use super::robot::{DOF, LOOP_AROUND, Robot};
-use super::statics::{Load, Statics};
+use super::statics::{Load, Statics, largest_torque_nm};
 
 /// An effect at its place. Its parameters stand in [`Parameters::effects`] at the same index.
 #[derive(Clone, Copy)]
@@ -76,6 +76,17 @@ impl ArmModel {
         }
     }
 
+    /// True when some effect that is on, or the network, asks in which sense a joint arrives.
+    pub fn depends_on_approach(&self) -> bool {
+        let by_effect = self.effects.iter().zip(&self.parameters.effects).any(|(instance, values)| {
+            instance.effect.meta().needs.approach && values.iter().any(|&value| value != 0.0)
+        });
+        let by_network = self.network.as_ref().is_some_and(|network| {
+            network.features.iter().any(|feature| matches!(feature, super::network::Feature::Approach(_)))
+        });
+        by_effect || by_network
+    }
+
     /// The model with its parameters over the scalar `T`, ready to be evaluated many times.
     pub fn prepare<T: ModelScalar>(&self, parameters: Parameters<T>) -> PreparedArm<'_, T> {
         let loop_errors = LoopErrors {
@@ -83,7 +94,9 @@ impl ArmModel {
             coupler_m: parameters.coupler_m,
             arm_m: arm_length_error(&self.robot, &parameters),
         };
-        PreparedArm { rows: Rows::new(&self.robot, &parameters), loop_errors, model: self, parameters }
+        let largest_torque_nm = std::array::from_fn(|joint| largest_torque_nm(&self.robot, joint));
+        let rows = Rows::new(&self.robot, &parameters);
+        PreparedArm { rows, loop_errors, largest_torque_nm, model: self, parameters }
     }
 
     /// [`ArmModel::prepare`] with the model's own parameters.
@@ -107,6 +120,7 @@ pub struct PreparedArm<'a, T: ModelScalar> {
     parameters: Parameters<T>,
     rows: Rows<T>,
     loop_errors: LoopErrors<T>,
+    largest_torque_nm: [f64; DOF],
 }
 
 /// The arm in one pose.
@@ -146,6 +160,11 @@ pub enum ArmError {
 }
 
 impl<T: ModelScalar> PreparedArm<'_, T> {
+    /// The model that was prepared.
+    pub fn model(&self) -> &ArmModel {
+        self.model
+    }
+
     /// The arm at these joint numbers.
     ///
     /// Deflection depends on torque and torque on the deflected pose: rounds of both until neither changes.
@@ -162,8 +181,9 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         let robot = &self.model.robot;
         let commanded = actuators_from_numbers(robot, numbers_rad);
         let mut load = Load::declared(robot, conditions.payload.as_ref());
+        let setting = Setting { robot, conditions, actuators_rad: &commanded };
         for (instance, parameters) in self.model.effects.iter().zip(&self.parameters.effects) {
-            T::load(instance.effect, &instance.location, parameters, &commanded, &mut load);
+            T::load(instance.effect, &instance.location, parameters, &setting, &mut load);
         }
         let mut response = start.copied().unwrap_or_else(Response::none);
         let mut change_rad = f64::INFINITY;
@@ -177,6 +197,7 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
             let statics = Statics::of(robot, &chain, &angles, &load);
             let context = Context {
                 robot,
+                largest_torque_nm: &self.largest_torque_nm,
                 conditions,
                 actuators_rad: &commanded,
                 angles: &angles,
@@ -245,7 +266,11 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
 /// The largest change of anything between two rounds, rad or m.
 fn largest_change<T: ModelScalar>(next: &Response<T>, last: &Response<T>) -> f64 {
     let mut largest: f64 = 0.0;
-    let mut compare = |a: &T, b: &T| largest = largest.max((a.value() - b.value()).abs());
+    let mut compare = |a: &T, b: &T| {
+        let difference = (a.value() - b.value()).abs();
+        // `max` would take no number for no change.
+        largest = if difference.is_nan() { f64::INFINITY } else { largest.max(difference) };
+    };
     next.actuators_rad.iter().zip(&last.actuators_rad).for_each(|(a, b)| compare(a, b));
     if next.links_move || last.links_move {
         next.links.iter().flatten().zip(last.links.iter().flatten()).for_each(|(a, b)| compare(a, b));

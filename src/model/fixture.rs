@@ -74,3 +74,22 @@ pub fn looped_with_masses() -> Robot {
         ..bare(Convention::Standard, &LOOPED)
     }
 }
+
+/// [`looped_with_masses`] with the third drive at the elbow, in modified rows.
+pub fn serial_with_masses() -> Robot {
+    let rows = [
+        [0.0, 780.0, 0.0, 0.0],
+        [-90.0, 0.0, 320.0, -90.0],
+        [0.0, 0.0, 1075.0, 0.0],
+        [0.0, 1392.5, 200.0, -90.0],
+        [0.0, 0.0, 0.0, 90.0],
+        [180.0, 200.0, 0.0, -90.0],
+    ];
+    let looped = looped_with_masses();
+    Robot {
+        links: looped.links,
+        payload: looped.payload,
+        gravity_m_s2: looped.gravity_m_s2,
+        ..bare(Convention::Modified, &rows)
+    }
+}

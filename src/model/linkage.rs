@@ -31,6 +31,39 @@ pub struct RowAngles<T> {
     pub driven_by_around: T,
     /// How the driven row turns with its own actuator: its sign without a loop.
     pub driven_by_own: T,
+    /// Second derivatives of the driven row's angle, 1/rad: by the actuator it goes around twice, by both actuators,
+    /// by its own twice. Zero without a loop and for equal opposite sides.
+    pub driven_curvature: [T; 3],
+}
+
+/// Speeds and accelerations of the rows.
+#[derive(Clone, Copy, Debug)]
+pub struct RowRates<T> {
+    /// Speed of each row, rad/s.
+    pub speed_rad_s: [T; DOF],
+    /// Acceleration of each row, rad/s^2.
+    pub acceleration_rad_s2: [T; DOF],
+}
+
+/// Row rates of actuator rates, through the loop: `theta3' = J a'`, `theta3'' = J a'' + a'^T H a'` with the slopes J
+/// and the curvature H of the closed loop.
+pub fn row_rates<T: Real>(
+    robot: &Robot,
+    angles: &RowAngles<T>,
+    actuator_speed_rad_s: &[f64; DOF],
+    actuator_acceleration_rad_s2: &[f64; DOF],
+) -> RowRates<T> {
+    let speed = actuator_speed_rad_s.map(T::constant);
+    let acceleration = actuator_acceleration_rad_s2.map(T::constant);
+    let signed = |of: &[T; DOF]| std::array::from_fn(|joint| of[joint] * T::constant(robot.joints[joint].sign));
+    let mut rates = RowRates { speed_rad_s: signed(&speed), acceleration_rad_s2: signed(&acceleration) };
+    let follows = |of: &[T; DOF]| angles.driven_by_around * of[LOOP_AROUND] + angles.driven_by_own * of[LOOP_DRIVEN];
+    let (around, own) = (speed[LOOP_AROUND], speed[LOOP_DRIVEN]);
+    let [around_twice, both, own_twice] = angles.driven_curvature;
+    let bend = around_twice * around * around + both * around * own * T::constant(2.0) + own_twice * own * own;
+    rates.speed_rad_s[LOOP_DRIVEN] = follows(&speed);
+    rates.acceleration_rad_s2[LOOP_DRIVEN] = follows(&acceleration) + bend;
+    rates
 }
 
 /// The loop cannot close: the rods are too short for this pose.
@@ -80,7 +113,8 @@ pub fn row_angles<T: Real>(
         actuators_rad[joint] * T::constant(row.sign) + T::constant(row.theta_rad)
     });
     let own_sign = T::constant(robot.joints[LOOP_DRIVEN].sign);
-    let open = RowAngles { theta_rad, driven_by_around: T::zero(), driven_by_own: own_sign };
+    let driven_curvature = [T::zero(); 3];
+    let open = RowAngles { theta_rad, driven_by_around: T::zero(), driven_by_own: own_sign, driven_curvature };
     let Some(parallelogram) = &robot.parallelogram else {
         return Ok(open);
     };
@@ -93,6 +127,10 @@ pub fn row_angles<T: Real>(
     angles.theta_rad[LOOP_DRIVEN] = rocker.angle_rad - arm_angle - offset;
     angles.driven_by_around = (rocker.by_arm - T::one()) * T::constant(robot.joints[LOOP_AROUND].sign);
     angles.driven_by_own = rocker.by_crank * own_sign;
+    let [arm_twice, both, crank_twice] = rocker.curvature;
+    let both_signs = T::constant(robot.joints[LOOP_AROUND].sign * robot.joints[LOOP_DRIVEN].sign);
+    // The arm's own turn is subtracted from the rocker's at constant rate: it has no part in the curvature.
+    angles.driven_curvature = [arm_twice, both * both_signs, crank_twice];
     Ok(angles)
 }
 
@@ -102,6 +140,8 @@ struct Rocker<T> {
     angle_rad: T,
     by_arm: T,
     by_crank: T,
+    /// Second derivatives: by the arm twice, by arm and crank, by the crank twice.
+    curvature: [T; 3],
 }
 
 fn direction<T: Real>(angle_rad: T) -> Vector2<T> {
@@ -148,12 +188,23 @@ fn close_loop<T: Real>(
 
     let rocker_unit = direction(angle_rad);
     let coupler = rocker_unit * rocker_m - s_to_q;
-    let lever = coupler.dot(&across(&rocker_unit)) * rocker_m;
-    Ok(Rocker {
-        angle_rad,
-        by_arm: -(coupler.dot(&across(&arm_unit)) * arm_m) / lever,
-        by_crank: coupler.dot(&across(&crank_unit)) * crank_m / lever,
-    })
+    // How R, Q and S turn: d/dt of the three pins per radian of rocker, crank and arm.
+    let (rocker_swing, crank_swing, arm_swing) =
+        (across(&rocker_unit) * rocker_m, across(&crank_unit) * crank_m, across(&arm_unit) * arm_m);
+    let lever = coupler.dot(&rocker_swing);
+    let by_arm = -coupler.dot(&arm_swing) / lever;
+    let by_crank = coupler.dot(&crank_swing) / lever;
+    // `e.e = coupler^2` differentiated twice, `e` the coupler: e'.e' + e.e'' = 0, with the turning pins' centripetal
+    // parts in e''.
+    let (by_arm_only, by_crank_only) = (rocker_swing * by_arm + arm_swing, rocker_swing * by_crank - crank_swing);
+    let inward =
+        [coupler.dot(&rocker_unit) * rocker_m, coupler.dot(&crank_unit) * crank_m, coupler.dot(&arm_unit) * arm_m];
+    let curvature = [
+        (inward[0] * by_arm * by_arm + inward[2] - by_arm_only.dot(&by_arm_only)) / lever,
+        (inward[0] * by_arm * by_crank - by_arm_only.dot(&by_crank_only)) / lever,
+        (inward[0] * by_crank * by_crank - inward[1] - by_crank_only.dot(&by_crank_only)) / lever,
+    ];
+    Ok(Rocker { angle_rad, by_arm, by_crank, curvature })
 }
 
 /// The actuator angle of the driven joint that gives row angle `driven_theta_rad`, when the joint it goes around
@@ -173,4 +224,59 @@ pub fn driven_actuator(robot: &Robot, around_theta_rad: f64, driven_theta_rad: f
     let crank = close_loop(&mirrored, &none, around_theta_rad + std::f64::consts::PI, rocker_angle)?;
     let own = crank.angle_rad - parallelogram.crank_offset_rad - robot.joints[LOOP_AROUND].theta_rad;
     Ok((own - row.theta_rad) * row.sign)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::fixture;
+
+    const ERRORS: LoopErrors<f64> = LoopErrors { crank_m: 4e-3, coupler_m: -3e-3, arm_m: 2e-3 };
+
+    fn driven_theta(robot: &Robot, around: f64, own: f64) -> f64 {
+        let actuators = [0.0, around, own, 0.0, 0.0, 0.0];
+        row_angles(robot, &actuators, &ERRORS).expect("a closed loop").theta_rad[LOOP_DRIVEN]
+    }
+
+    #[test]
+    fn slopes_and_curvature_of_the_loop_are_its_differences() {
+        let mut robot = fixture::looped_with_masses();
+        robot.joints[LOOP_AROUND].sign = -1.0;
+        for (around, own) in [(0.3, 0.2), (-0.4, 0.1), (0.5, -0.6)] {
+            let theta = |i: f64, j: f64| driven_theta(&robot, around + i * 1e-3, own + j * 1e-3);
+            let angles = row_angles(&robot, &[0.0, around, own, 0.0, 0.0, 0.0], &ERRORS).expect("a closed loop");
+            let slopes = [(theta(1.0, 0.0) - theta(-1.0, 0.0)) / 2e-3, (theta(0.0, 1.0) - theta(0.0, -1.0)) / 2e-3];
+            assert!((angles.driven_by_around - slopes[0]).abs() < 1e-7);
+            assert!((angles.driven_by_own - slopes[1]).abs() < 1e-7);
+            let curvature = [
+                (theta(1.0, 0.0) - 2.0 * theta(0.0, 0.0) + theta(-1.0, 0.0)) / 1e-6,
+                (theta(1.0, 1.0) - theta(1.0, -1.0) - theta(-1.0, 1.0) + theta(-1.0, -1.0)) / 4e-6,
+                (theta(0.0, 1.0) - 2.0 * theta(0.0, 0.0) + theta(0.0, -1.0)) / 1e-6,
+            ];
+            for (exact, difference) in angles.driven_curvature.iter().zip(curvature) {
+                assert!((exact - difference).abs() < 1e-7, "{exact} against {difference}");
+                assert!(exact.abs() > 1e-4, "the rods differ: {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn row_rates_are_the_row_angles_in_motion() {
+        let robot = fixture::looped_with_masses();
+        let start = [0.1, 0.3, -0.2, 0.4, 0.5, 0.6];
+        let speed = [0.5, 1.2, -0.9, 1.0, -2.0, 0.3];
+        let acceleration = [1.0, -2.0, 3.0, 0.4, 0.1, -5.0];
+        let at = |t: f64| {
+            let actuators = std::array::from_fn(|j| start[j] + speed[j] * t + 0.5 * acceleration[j] * t * t);
+            row_angles(&robot, &actuators, &ERRORS).expect("a closed loop")
+        };
+        let rates = row_rates(&robot, &at(0.0), &speed, &acceleration);
+        let step = 1e-3;
+        for joint in 0..DOF {
+            let [before, now, after] = [-step, 0.0, step].map(|t| at(t).theta_rad[joint]);
+            assert!((rates.speed_rad_s[joint] - (after - before) / (2.0 * step)).abs() < 1e-5);
+            let second = (after - 2.0 * now + before) / (step * step);
+            assert!((rates.acceleration_rad_s2[joint] - second).abs() < 1e-5);
+        }
+    }
 }

@@ -7,9 +7,11 @@ pub mod conditions;
 pub mod effect;
 #[cfg(test)]
 pub(crate) mod fixture;
+pub mod inertia;
 pub mod jacobian;
 pub mod linkage;
 pub mod network;
 pub mod parameters;
 pub mod robot;
 pub mod statics;
+pub mod uncertainty;

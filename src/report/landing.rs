@@ -15,6 +15,8 @@ pub struct Landing {
     pub uncorrected: Pose,
     /// Where the corrected program lands.
     pub corrected: Option<Pose>,
+    /// True when the corrected program says the same here: a joint target, or one that is known only at run time.
+    pub left_alone: bool,
 }
 
 impl Landing {
@@ -63,7 +65,12 @@ pub fn table(landings: &[Landing], rows: usize) -> String {
     }
     figures(&mut out, "as written", landings.iter().map(Landing::miss));
     if corrected {
-        figures(&mut out, "corrected", landings.iter().filter_map(Landing::corrected_miss));
+        let rewritten = landings.iter().filter(|landing| !landing.left_alone);
+        figures(&mut out, "corrected", rewritten.filter_map(Landing::corrected_miss));
+        let left = landings.iter().filter(|landing| landing.left_alone).count();
+        if left > 0 {
+            let _ = writeln!(out, "left alone   {left} targets land as before");
+        }
     }
     out
 }

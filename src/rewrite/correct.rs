@@ -18,7 +18,7 @@ use super::digits;
 use super::displaced;
 use super::outcome::{Figures, Outcome, TargetOutcome};
 use super::setting::{Obstacle, Setting, Settings};
-use super::visits::{Visit, follow};
+use super::visits::{Visit, follow, senses};
 
 /// What the caller may ask for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -46,39 +46,63 @@ const SAME_TARGET: f64 = 1e-6;
 /// Orientation, rad, that a displaced target may leave uncorrected: a hundredth of a degree.
 const DISPLACED_ORIENTATION_RAD: f64 = 1.75e-4;
 
+/// Rounds in which senses of approach and corrected commands are brought to agree.
+const SENSE_ROUNDS: usize = 4;
+
 /// Corrects the targets of a job. Nothing is written here: the outcome holds the edits.
 pub fn correct(job: &Job<'_>, model: &ArmModel, controller: &Controller, options: &Options) -> Outcome {
     let arm = RealArm::new(model);
     let mut settings = Settings::new(job.program, job.cell, &arm);
-    let visits = follow(job.program, &mut settings, controller, options.joint_targets);
-    let mut of_target: Vec<Vec<&Visit>> = vec![Vec::new(); job.program.targets.len()];
-    for visit in &visits {
-        of_target[visit.target].push(visit);
+    let visits = follow(job.program, &mut settings, controller);
+    let work = Work { job, arm, controller, settings, options };
+    let nominal = |index: usize| visits[index].nominal_rad.as_ref().ok().copied();
+    let by_sense = model.depends_on_approach();
+    let mut approaches = match by_sense {
+        true => senses(job.program, controller, &visits, nominal),
+        false => vec![[0.0; DOF]; visits.len()],
+    };
+    let mut outcomes = work.all(&visits, &approaches);
+    // A correction of a milliradian can turn the sense in which a joint arrives: then it is the corrected command's
+    // sense that counts. Where none agrees with itself, the joint is taken in the middle of its play.
+    for round in 0..if by_sense { SENSE_ROUNDS } else { 0 } {
+        let commanded = |index: usize| {
+            let figures = outcomes[visits[index].target].figures.as_ref();
+            figures.map(|figures| figures.numbers_rad).or_else(|| nominal(index))
+        };
+        let next = senses(job.program, controller, &visits, commanded);
+        if next == approaches {
+            break;
+        }
+        let last = round + 1 == SENSE_ROUNDS;
+        for (known, found) in approaches.iter_mut().flatten().zip(next.iter().flatten()) {
+            *known = if last && *known != *found { 0.0 } else { *found };
+        }
+        outcomes = work.all(&visits, &approaches);
     }
-    let edits = vec![EditSet::default(); job.sources.len()];
-    let mut work = Work { job, model, arm, controller, settings, options, edits, outcomes: Vec::new() };
-    // Displaced targets need the corrected values of their bases, which may stand later in the text.
-    let count = job.program.targets.len();
-    let is_displaced = |index: &usize| matches!(job.program.targets[*index].value, TargetValue::Displaced(_));
-    let (later, first): (Vec<usize>, Vec<usize>) = (0..count).partition(is_displaced);
-    let placeholder = TargetOutcome::left(Class::Computed, None);
-    work.outcomes = vec![placeholder; count];
-    for index in first.into_iter().chain(later) {
-        work.outcomes[index] = work.target(index, &of_target[index]);
+    let mut edits = vec![EditSet::default(); job.sources.len()];
+    for index in in_order_of_dependence(job.program) {
+        write(job, model, &mut outcomes, index, &mut edits);
     }
-    Outcome { targets: work.outcomes, edits: work.edits }
+    Outcome { targets: outcomes, edits }
+}
+
+/// Displaced targets need the corrected values of their bases, which may stand later in the text: bases first.
+fn in_order_of_dependence(program: &Program) -> impl Iterator<Item = usize> {
+    let is_displaced = |index: &usize| matches!(program.targets[*index].value, TargetValue::Displaced(_));
+    let (later, first): (Vec<usize>, Vec<usize>) = (0..program.targets.len()).partition(is_displaced);
+    first.into_iter().chain(later)
 }
 
 struct Work<'a> {
     job: &'a Job<'a>,
-    model: &'a ArmModel,
     arm: RealArm<'a>,
     controller: &'a Controller,
     settings: Settings<'a>,
     options: &'a Options,
-    edits: Vec<EditSet>,
-    outcomes: Vec<TargetOutcome>,
 }
+
+/// An arrival and the sense in which every joint comes there.
+type Arrival<'a> = (&'a Visit, &'a [f64; DOF]);
 
 /// The false target for one way of arriving.
 struct FalseTarget {
@@ -88,7 +112,21 @@ struct FalseTarget {
 }
 
 impl Work<'_> {
-    fn target(&mut self, index: usize, visits: &[&Visit]) -> TargetOutcome {
+    /// The outcome of every target, digits not yet rounded.
+    fn all(&self, visits: &[Visit], approaches: &[[f64; DOF]]) -> Vec<TargetOutcome> {
+        let count = self.job.program.targets.len();
+        let mut of_target: Vec<Vec<Arrival<'_>>> = vec![Vec::new(); count];
+        for (visit, approach) in visits.iter().zip(approaches) {
+            of_target[visit.target].push((visit, approach));
+        }
+        let mut outcomes = vec![TargetOutcome::left(Class::Computed, None); count];
+        for index in in_order_of_dependence(self.job.program) {
+            outcomes[index] = self.target(index, &of_target[index], &outcomes);
+        }
+        outcomes
+    }
+
+    fn target(&self, index: usize, arrivals: &[Arrival<'_>], outcomes: &[TargetOutcome]) -> TargetOutcome {
         let target = &self.job.program.targets[index];
         let (class, reason) = class_by_text(target);
         let by_text_alone = match class {
@@ -99,21 +137,28 @@ impl Work<'_> {
         if by_text_alone {
             return TargetOutcome::left(class, reason);
         }
-        match self.false_target(index, visits) {
-            Ok(figures) => self.write(index, figures),
+        match self.false_target(index, arrivals, outcomes) {
+            Ok(figures) => {
+                TargetOutcome { class: Class::Corrected, reason: both_sides(arrivals), figures: Some(figures) }
+            }
             Err(obstacle) => TargetOutcome::left(obstacle.class, obstacle.reason),
         }
     }
 
     /// One false target that serves every arrival, or the reason why there is none.
-    fn false_target(&self, index: usize, visits: &[&Visit]) -> Result<Figures, Obstacle> {
+    fn false_target(
+        &self,
+        index: usize,
+        arrivals: &[Arrival<'_>],
+        outcomes: &[TargetOutcome],
+    ) -> Result<Figures, Obstacle> {
         let mut found: Vec<FalseTarget> = Vec::new();
-        let approach = common_approach(visits);
-        for visit in visits {
+        let approach = common_approach(arrivals);
+        for (visit, _) in arrivals {
             if found.iter().any(|known| known.setting == visit.setting) {
                 continue;
             }
-            let figures = self.arrival(index, visit, approach)?;
+            let figures = self.arrival(index, visit, approach, outcomes)?;
             let one = &self.job.program.targets[index].uses[visit.one_use];
             let use_line = self.job.sources[one.file].line(one.span.start);
             found.push(FalseTarget { figures, setting: visit.setting, use_line });
@@ -134,13 +179,20 @@ impl Work<'_> {
         Ok(first.figures)
     }
 
-    fn arrival(&self, index: usize, visit: &Visit, approach: [f64; DOF]) -> Result<Figures, Obstacle> {
+    fn arrival(
+        &self,
+        index: usize,
+        visit: &Visit,
+        approach: [f64; DOF],
+        outcomes: &[TargetOutcome],
+    ) -> Result<Figures, Obstacle> {
         let setting = self.settings.get(visit.setting).as_ref().map_err(Obstacle::clone)?;
         let nominal_rad = visit.nominal_rad.clone()?;
         let conditions = Conditions { approach, payload: setting.payload, ..Conditions::default() };
         let figures = match &self.job.program.targets[index].value {
             TargetValue::Displaced(displacement) => {
-                self.displaced(displacement, setting, visit, &nominal_rad, &conditions)?
+                let base = &outcomes[displacement.base];
+                self.displaced(base, displacement, setting, visit, &nominal_rad, &conditions)?
             }
             _ => self.full_pose(index, setting, visit, &nominal_rad, &conditions)?,
         };
@@ -177,13 +229,13 @@ impl Work<'_> {
     /// The position alone, with the orientation that the base target got.
     fn displaced(
         &self,
+        base: &TargetOutcome,
         displacement: &Displacement,
         setting: &Setting,
         visit: &Visit,
         nominal_rad: &[f64; DOF],
         conditions: &Conditions,
     ) -> Result<Figures, Obstacle> {
-        let base = &self.outcomes[displacement.base];
         let Some(base_figures) = base.figures.as_ref().filter(|_| base.class == Class::Corrected) else {
             return Err(Obstacle::computed("displaced from a target that is not corrected itself"));
         };
@@ -219,36 +271,37 @@ impl Work<'_> {
         let flange = self.arm.flange(numbers, conditions).map_err(|error| Obstacle::refused(error.to_string()))?;
         Ok(setting.landed(&flange))
     }
+}
 
-    /// Adds the edits of a target and completes its figures with what the digits make of them.
-    fn write(&mut self, index: usize, mut figures: Figures) -> TargetOutcome {
-        let target = &self.job.program.targets[index];
-        let source = &self.job.sources[target.file];
-        let edits = &mut self.edits[target.file];
-        let rules = &self.job.rules;
-        if figures.iterations > 0 {
-            match &target.value {
-                TargetValue::Cartesian(numbers) => {
-                    figures.after = digits::write_pose(edits, source, numbers, rules, &figures.after);
-                }
-                TargetValue::Joint(numbers) => {
-                    let reach_m = self.model.robot.joints.iter().map(|joint| joint.a_m.abs() + joint.d_m.abs()).sum();
-                    figures.numbers_rad =
-                        digits::write_joints(edits, source, numbers, rules, &figures.numbers_rad, reach_m);
-                }
-                TargetValue::Displaced(displacement) => {
-                    if let Some(base) = &self.outcomes[displacement.base].figures {
-                        let kind = displacement.kind;
-                        let exact = displaced::displacement_to(&base.after, &figures.after.translation, kind);
-                        let units = displacement.units;
-                        digits::write_position(edits, source, &displacement.position, units, rules, &exact);
-                    }
-                }
-                TargetValue::Unwritten => {}
+/// Adds the edits of a target and completes its figures with what the digits make of them.
+fn write(job: &Job<'_>, model: &ArmModel, outcomes: &mut [TargetOutcome], index: usize, edits: &mut [EditSet]) {
+    let target = &job.program.targets[index];
+    let Some(mut figures) = outcomes[index].figures.take() else {
+        return;
+    };
+    let (source, edits, rules) = (&job.sources[target.file], &mut edits[target.file], &job.rules);
+    if figures.iterations > 0 {
+        match &target.value {
+            TargetValue::Cartesian(numbers) => {
+                figures.after = digits::write_pose(edits, source, numbers, rules, &figures.after);
             }
+            TargetValue::Joint(numbers) => {
+                let reach_m = model.robot.joints.iter().map(|joint| joint.a_m.abs() + joint.d_m.abs()).sum();
+                let exact = &figures.numbers_rad;
+                figures.numbers_rad = digits::write_joints(edits, source, numbers, rules, exact, reach_m);
+            }
+            TargetValue::Displaced(displacement) => {
+                if let Some(base) = &outcomes[displacement.base].figures {
+                    let point = &figures.after.translation;
+                    let exact = displaced::displacement_to(&base.after, point, displacement.kind);
+                    let units = displacement.units;
+                    digits::write_position(edits, source, &displacement.position, units, rules, &exact);
+                }
+            }
+            TargetValue::Unwritten => {}
         }
-        TargetOutcome { class: Class::Corrected, reason: None, figures: Some(figures) }
     }
+    outcomes[index].figures = Some(figures);
 }
 
 fn figures(correction: &Correction, nominal_rad: [f64; DOF], before: Pose, after: Pose, lands_before: Pose) -> Figures {
@@ -267,12 +320,20 @@ fn figures(correction: &Correction, nominal_rad: [f64; DOF], before: Pose, after
 }
 
 /// The sense that all arrivals share; zero for a joint that arrives from both sides.
-fn common_approach(visits: &[&Visit]) -> [f64; DOF] {
+fn common_approach(arrivals: &[Arrival<'_>]) -> [f64; DOF] {
     std::array::from_fn(|joint| {
-        let mut senses = visits.iter().map(|visit| visit.approach[joint]);
+        let mut senses = arrivals.iter().map(|(_, approach)| approach[joint]);
         let first = senses.next().unwrap_or(0.0);
         if senses.all(|sense| sense == first) { first } else { 0.0 }
     })
+}
+
+/// What to know of a target that is reached from both sides: play cannot be corrected in one value.
+fn both_sides(arrivals: &[Arrival<'_>]) -> Option<String> {
+    let both = |joint: &usize| arrivals.iter().any(|(_, approach)| approach[*joint] != arrivals[0].1[*joint]);
+    let joints: Vec<String> = (0..DOF).filter(both).map(|joint| (joint + 1).to_string()).collect();
+    let message = "is reached from both sides of the play; the middle is taken";
+    (!joints.is_empty()).then(|| format!("joint {} {message}", joints.join(", ")))
 }
 
 fn check_region(region: &Region, numbers_rad: &[f64; DOF]) -> Result<(), Obstacle> {

@@ -67,9 +67,8 @@ pub fn land_position(
     let mut near = *near_rad;
     for rounds in 0..MOST_ROUNDS {
         let flange = setting.nominal_flange(&target);
-        let branches = controller.inverse(&flange);
-        let choice = branches
-            .and_then(|branches| controller.choose(&branches, &Wish::default(), Some(&near)))
+        let choice = controller
+            .solve(&flange, &Wish::default(), Some(&near))
             .map_err(|error| Obstacle::refused(error.to_string()))?;
         near = choice.numbers_rad;
         let real = arm.flange(&near, conditions).map_err(|error| Obstacle::refused(error.to_string()))?;

@@ -9,7 +9,7 @@ use crate::model::conditions::Conditions;
 use crate::program::target::{Program, TargetValue};
 
 use super::setting::Settings;
-use super::visits::follow;
+use super::visits::{follow, senses};
 
 /// Where one arrival lands.
 #[derive(Clone, Debug)]
@@ -29,13 +29,15 @@ pub struct Arrival {
 pub fn play(program: &Program, cell: &Cell, real: &ArmModel, controller: &Controller) -> Vec<Arrival> {
     let arm = RealArm::new(real);
     let mut settings = Settings::new(program, cell, &arm);
-    let visits = follow(program, &mut settings, controller, true);
+    let visits = follow(program, &mut settings, controller);
+    let approaches = senses(program, controller, &visits, |index| visits[index].nominal_rad.as_ref().ok().copied());
     visits
         .iter()
-        .filter_map(|visit| {
+        .zip(&approaches)
+        .filter_map(|(visit, &approach)| {
             let setting = settings.get(visit.setting).as_ref().ok()?;
             let numbers = visit.nominal_rad.as_ref().ok()?;
-            let conditions = Conditions { approach: visit.approach, payload: setting.payload, ..Conditions::default() };
+            let conditions = Conditions { approach, payload: setting.payload, ..Conditions::default() };
             let landed = setting.landed(&arm.flange(numbers, &conditions).ok()?);
             let is_joint = matches!(program.targets[visit.target].value, TargetValue::Joint(_));
             let written = if is_joint { setting.target(&controller.forward(numbers).ok()?) } else { visit.written };

@@ -25,20 +25,13 @@ pub struct Visit {
     pub nominal_rad: Result<[f64; DOF], Obstacle>,
     /// The written target in its frame; identity for joint targets.
     pub written: Pose,
-    /// Sense in which each joint arrives: -1, 0 (unknown or both), +1.
-    pub approach: [f64; DOF],
 }
 
-/// Turn, rad, below which a joint counts as not having moved.
+/// Turn, rad, below which a joint counts as not having moved (per metre of line, on a line).
 const STILL_RAD: f64 = 1e-7;
 
 /// Follows the program through its static moves, in the order in which they stand in the text.
-pub fn follow(
-    program: &Program,
-    settings: &mut Settings<'_>,
-    controller: &Controller,
-    joint_targets: bool,
-) -> Vec<Visit> {
+pub fn follow(program: &Program, settings: &mut Settings<'_>, controller: &Controller) -> Vec<Visit> {
     let mut arrivals: Vec<(usize, usize)> = Vec::new();
     for (index, target) in program.targets.iter().enumerate() {
         let (class, _) = class_by_text(target);
@@ -53,27 +46,43 @@ pub fn follow(
     });
 
     let mut visits = Vec::with_capacity(arrivals.len());
-    let mut previous: Option<([f64; DOF], Pose)> = None;
-    let mut approach = [0.0; DOF];
+    let mut previous: Option<[f64; DOF]> = None;
     for (target, one_use) in arrivals {
         let one = &program.targets[target].uses[one_use];
         let setting = settings.of(one);
-        let resolved = settings.get(setting).clone();
-        let before = previous.map(|(numbers, _)| numbers);
-        let (written, nominal_rad) = arrive(program, target, &resolved, controller, before);
-        if let (Ok(numbers), Ok(flange)) = (&nominal_rad, nominal_rad.as_ref().map(|q| controller.forward(q))) {
-            let flange = flange.unwrap_or_else(|_| Pose::identity());
-            if let Some((last, last_flange)) = &previous {
-                approach = senses(controller, one.path, last, last_flange, numbers, &flange, &approach);
-            }
-            previous = Some((*numbers, flange));
-        }
-        let stands_still = class_by_text(&program.targets[target]).0 == Class::Joint && !joint_targets;
-        let nominal_rad =
-            if stands_still { Err(Obstacle { class: Class::Joint, reason: String::new() }) } else { nominal_rad };
-        visits.push(Visit { target, one_use, setting, nominal_rad, written, approach });
+        let (written, nominal_rad) = arrive(program, target, settings.get(setting), controller, previous);
+        previous = nominal_rad.as_ref().ok().copied().or(previous);
+        visits.push(Visit { target, one_use, setting, nominal_rad, written });
     }
     visits
+}
+
+/// The sense in which each joint comes to each visit, when the arm stands at `numbers` there: -1, 0 (unknown), +1. A
+/// joint that does not move keeps the sense that it had; visits without numbers are passed over.
+pub fn senses(
+    program: &Program,
+    controller: &Controller,
+    visits: &[Visit],
+    numbers: impl Fn(usize) -> Option<[f64; DOF]>,
+) -> Vec<[f64; DOF]> {
+    let mut sense = [0.0; DOF];
+    let mut previous: Option<[f64; DOF]> = None;
+    let mut all = Vec::with_capacity(visits.len());
+    for (index, visit) in visits.iter().enumerate() {
+        if let Some(here) = numbers(index) {
+            if let Some(last) = &previous {
+                let path = program.targets[visit.target].uses[visit.one_use].path;
+                let way = arriving(controller, path, last, &here);
+                sense = std::array::from_fn(|joint| match way[joint].abs() < STILL_RAD {
+                    true => sense[joint],
+                    false => way[joint].signum(),
+                });
+            }
+            previous = Some(here);
+        }
+        all.push(sense);
+    }
+    all
 }
 
 fn arrive(
@@ -100,10 +109,7 @@ fn arrive(
         Err(obstacle) => return (written, Err(obstacle.clone())),
     };
     let flange = setting.nominal_flange(&written);
-    let branches = controller.inverse(&flange);
-    let choice =
-        branches.and_then(|branches| controller.choose(&branches, &wish(&target.configuration), previous.as_ref()));
-    match choice {
+    match controller.solve(&flange, &wish(&target.configuration), previous.as_ref()) {
         Ok(choice) => (written, Ok(choice.numbers_rad)),
         Err(error) => (written, Err(Obstacle::refused(error.to_string()))),
     }
@@ -143,31 +149,21 @@ fn wish(configuration: &Configuration) -> Wish {
     }
 }
 
-/// The sense in which each joint arrives. Along a line it is that of the joint's speed at the end of the line, not of
-/// its way: a joint can turn back on a line.
-fn senses(
-    controller: &Controller,
-    path: PathKind,
-    last: &[f64; DOF],
-    last_flange: &Pose,
-    numbers: &[f64; DOF],
-    flange: &Pose,
-    known: &[f64; DOF],
-) -> [f64; DOF] {
-    let way: [f64; DOF] = std::array::from_fn(|joint| numbers[joint] - last[joint]);
-    let arriving = match path {
-        PathKind::Linear | PathKind::ArcVia | PathKind::ArcEnd => {
-            speed_at_end(controller, numbers, last_flange, flange).unwrap_or(way)
-        }
+/// Which way the joints go as they arrive. Along a line that is their speed at the end of the line, not their way: a
+/// joint can turn back on a line.
+fn arriving(controller: &Controller, path: PathKind, last: &[f64; DOF], here: &[f64; DOF]) -> [f64; DOF] {
+    let way: [f64; DOF] = std::array::from_fn(|joint| here[joint] - last[joint]);
+    match path {
+        PathKind::Linear | PathKind::ArcVia | PathKind::ArcEnd => speed_at_end(controller, last, here).unwrap_or(way),
         PathKind::Joint | PathKind::Other => way,
-    };
-    std::array::from_fn(|joint| if arriving[joint].abs() < STILL_RAD { known[joint] } else { arriving[joint].signum() })
+    }
 }
 
 /// Joint speeds with which a straight line arrives, per length of the line.
-fn speed_at_end(controller: &Controller, numbers: &[f64; DOF], from: &Pose, to: &Pose) -> Option<[f64; DOF]> {
-    let jacobian = controller.jacobian(numbers).ok()?;
-    let (shift, turn) = pose_difference(to, from);
+fn speed_at_end(controller: &Controller, last: &[f64; DOF], here: &[f64; DOF]) -> Option<[f64; DOF]> {
+    let (from, to) = (controller.forward(last).ok()?, controller.forward(here).ok()?);
+    let jacobian = controller.jacobian(here).ok()?;
+    let (shift, turn) = pose_difference(&to, &from);
     let twist = Vector6::new(shift.x, shift.y, shift.z, turn.x, turn.y, turn.z);
     let speed = jacobian.lu().solve(&twist)?;
     speed.iter().all(|s| s.is_finite()).then(|| speed.into())

@@ -120,6 +120,19 @@ pub fn offset_wrist() -> Robot {
     arm(Convention::Standard, rows, [1.0; DOF])
 }
 
+/// An arm in which no axes are parallel and none meet.
+pub fn skew() -> Robot {
+    let rows = [
+        [0.0, 0.245, 0.1, -1.4],
+        [-PI / 2.0, 0.1, 0.71, 0.17],
+        [0.0, 0.05, 0.1, -1.4],
+        [0.0, 0.54, 0.05, 1.48],
+        [0.0, 0.15, 0.03, -PI / 2.0],
+        [0.0, 0.16, 0.0, 0.0],
+    ];
+    arm(Convention::Standard, rows, [1.0, -1.0, 1.0, 1.0, -1.0, 1.0])
+}
+
 /// Numbers within the limits (and within one and a half turns), the loop closed.
 pub fn random_numbers(robot: &Robot, controller: &Controller, random: &mut ChaCha8Rng) -> [f64; DOF] {
     for _ in 0..100_000 {

@@ -36,8 +36,10 @@ fn postures_of_known_poses() {
     check("abb-irb4600", [0.0, -80.0, -60.0, 0.0, 30.0, 0.0], [true, false, false]);
     // The forearm folded behind the lower arm: ABB axis 3 beyond the stretched pose.
     check("abb-irb1600", [0.0, 80.0, -150.0, 0.0, 30.0, 0.0], [false, true, false]);
-    // Universal Robots, as its drawings show the arm: elbow above the line from shoulder to wrist.
-    check("ur5e", [0.0, -90.0, -90.0, -90.0, 90.0, 0.0], [true, true, false]);
+    // At zero a UR arm lies along -x: that is its forward side. Upright with the forearm level it reaches forward with
+    // axis 3 at +90 deg, backward over its shoulder with axis 3 at -90 deg and the elbow bent the other way.
+    check("ur5e", [0.0, -90.0, 90.0, -90.0, 90.0, 0.0], [false, false, false]);
+    check("ur5e", [0.0, -90.0, -90.0, -90.0, -90.0, 0.0], [true, true, true]);
 }
 
 #[test]

@@ -43,6 +43,21 @@ fn a_joint_limit_is_named_with_its_number() {
 }
 
 #[test]
+fn a_pose_taught_at_a_limit_is_within_it() {
+    let robot = named("abb-irb4600");
+    let controller = Controller::new(&robot);
+    let beyond = |over: f64| {
+        let numbers = [0.3, 0.2, 0.1, 0.4, robot.joints[4].max_rad + over, 0.6];
+        let pose = controller.forward(&numbers).expect("no loop");
+        controller
+            .solve(&pose, &Wish::default(), Some(&numbers))
+            .is_ok_and(|choice| apart(&choice.numbers_rad, &numbers) < 1e-9)
+    };
+    assert!(beyond(2e-5));
+    assert!(!beyond(2e-3));
+}
+
+#[test]
 fn the_passive_joint_of_a_loop_has_limits_too() {
     let mut robot = named("hh800-class");
     let controller = Controller::new(&robot);

@@ -5,7 +5,7 @@ use crate::base::text::{Source, Span};
 use crate::program::target::{CartesianNumbers, Program, Reference, Target, TargetValue};
 
 use super::expression::Goal;
-use super::header::Header;
+use super::header::{Generation, Header};
 use super::reader::JobFile;
 use super::target::ROBOT_AXES;
 use super::written_pose::{Coordinates, WrittenPose};
@@ -13,33 +13,41 @@ use super::written_pose::{Coordinates, WrittenPose};
 /// No arm puts its tool this near to the origin of its base: such a position is in metres.
 const NEAREST_POSITION_MM: f64 = 10.0;
 
-/// A job ends with `END`. One that stops without it, right behind a pose that may lack its suffix, cannot be trusted:
-/// joint values without their `A` read as base coordinates.
+/// A job ends with `END`. One that stops without it inside of a bracket, or right behind a pose that may lack its
+/// suffix, cannot be trusted: joint values without their `A` read as base coordinates.
 pub(super) fn end(index: usize, source: &Source, file: &JobFile, diagnostics: &mut Vec<Diagnostic>) {
     if file.ends || (file.header.line.is_none() && file.motions.is_empty()) {
         return;
     }
-    let last = match file.motions.last() {
-        Some((statement, motion)) if statement.span == file.last_statement => Some(motion),
-        _ => None,
-    };
-    let stops_here = file.last_statement.end == source.bytes().len();
-    let finding = match last.and_then(|motion| motion.goal.as_ref().map(|goal| (goal, motion.goal_ends_statement))) {
-        // Has its own finding.
-        Some((Goal::Broken(_), _)) => return,
-        Some((Goal::Written(pose), true)) if stops_here && may_lack_suffix(source, pose.span, &pose.coordinates) => {
-            Diagnostic::error("truncated", "the job stops behind a pose whose coordinate suffix may be cut off")
-        }
-        _ => Diagnostic::warning("missing-end", "the job has no END: it may have been cut off"),
+    let last = file.last_statement;
+    if let Some((statement, motion)) = file.motions.last()
+        && statement.span == last
+        && matches!(motion.goal, Some(Goal::Broken(_)))
+    {
+        return; // It has its own finding.
+    }
+    let stops_here = last.end == source.bytes().len();
+    let text = source.slice(last);
+    let count = |wanted: u8| text.iter().filter(|&&byte| byte == wanted).count();
+    let finding = if count(b'(') > count(b')') || count(b'[') > count(b']') {
+        Diagnostic::error("truncated", "the job stops in the middle of a statement")
+    } else if stops_here && file.header.generation == Generation::Hi5 && may_lack_suffix(text) {
+        Diagnostic::error("truncated", "the job stops behind a pose whose coordinate suffix may be cut off")
+    } else {
+        Diagnostic::warning("missing-end", "the job has no END: it may have been cut off")
     };
     let at_end = Span::new(source.bytes().len(), source.bytes().len());
-    let place = if stops_here { file.last_statement } else { at_end };
-    diagnostics.push(finding.at(index, place, "the text stops here"));
+    diagnostics.push(finding.at(index, if stops_here { last } else { at_end }, "the text stops here"));
 }
 
-fn may_lack_suffix(source: &Source, pose: Span, coordinates: &Coordinates) -> bool {
-    let bracketed = source.slice(pose).first() == Some(&b'(');
-    bracketed && matches!(coordinates, Coordinates::Base | Coordinates::User(_))
+/// A tuple at the end that has no suffix, or one to which a digit may belong.
+fn may_lack_suffix(statement: &[u8]) -> bool {
+    let Some(close) = statement.iter().rposition(|&byte| byte == b')') else { return false };
+    match statement[close + 1..].to_ascii_uppercase().as_slice() {
+        [] => true,
+        [b'U', digits @ ..] => digits.iter().all(u8::is_ascii_digit),
+        _ => false,
+    }
 }
 
 /// Checks the positions of one file.

@@ -7,6 +7,7 @@
 //! Hi6 writes flags (HRScript manual 5.1): `re`, `dn`, `nf`, `auto`, and `s`, `r1`, `r2`, `b` for axes beyond 180 degrees.
 //! A flag that is not there is off; the older `fl` meant non-flip before V60.06-07 and says nothing here.
 //!
+//! Rear: the manual speaks of the tool tip behind the S axis, simulation of the wrist centre; the latter is taken.
 //! Flip: "the B-axis coordinate being a + value", non-flip a negative one (Hi6 operation manual 2.3.2.2). B is axis 5.
 
 use crate::program::target::Configuration;

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::base::text::Span;
+use crate::base::units::m_from_mm;
 use crate::geometry::pose::Pose;
 use crate::program::number::{number_at, starts_with_word};
 use crate::program::scan::Cursor;
@@ -166,7 +167,7 @@ fn tool(parts: &ToolParts) -> Result<ToolData, String> {
     if !["mass", "cx", "cy", "cz"].iter().any(|&name| parts.load.contains_key(name)) {
         return pose.map(|pose| ToolData { pose, held_by_robot: true, load: None });
     }
-    let center_of_mass_m = [part("cx")? * 1e-3, part("cy")? * 1e-3, part("cz")? * 1e-3];
+    let center_of_mass_m = [m_from_mm(part("cx")?), m_from_mm(part("cy")?), m_from_mm(part("cz")?)];
     let load = LoadData { mass_kg: part("mass")?, center_of_mass_m };
     Ok(ToolData { pose: pose?, held_by_robot: true, load: Some(load) })
 }
@@ -233,8 +234,8 @@ fn three_points(origin: Vector3<f64>, on_x: Vector3<f64>, in_plane: Vector3<f64>
 fn arguments(bytes: &[u8], span: Span) -> Vec<Span> {
     let mut found = Vec::new();
     let (mut depth, mut in_string, mut start) = (0_usize, false, span.start);
-    for at in span.start..span.end {
-        match bytes[at] {
+    for (&byte, at) in bytes[span.start..span.end].iter().zip(span.start..) {
+        match byte {
             b'"' => in_string = !in_string,
             _ if in_string => {}
             b'(' | b'[' => depth += 1,

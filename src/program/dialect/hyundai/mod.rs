@@ -35,6 +35,9 @@ mod target;
 mod variable;
 mod written_pose;
 
+#[cfg(test)]
+mod tests;
+
 use crate::base::text::{Encoding, Source};
 use crate::program::number::NumberRules;
 use crate::program::target::Program;

@@ -25,8 +25,6 @@ pub(super) struct Motion {
     pub tool: Option<Reference>,
     /// Why the arm does not simply go to the goal, if so.
     pub computed: Option<String>,
-    /// The goal is the last thing in the statement: text that is cut off may lack its suffix.
-    pub goal_ends_statement: bool,
 }
 
 /// Reads a motion statement; `None` when `body` is something else.
@@ -63,7 +61,6 @@ pub(super) fn motion(bytes: &[u8], body: Span, total_axes: Option<usize>) -> Opt
         goal: None,
         tool: None,
         computed: None,
-        goal_ends_statement: false,
     };
     for parameter in &outline.parameters {
         read_parameter(bytes, *parameter, total_axes, &mut motion);
@@ -129,10 +126,7 @@ fn recorded_pose(bytes: &[u8], outline: &Outline, total_axes: Option<usize>, mot
     let Some(span) = outline.recorded else { return };
     match goal(bytes, span, total_axes) {
         Goal::Broken(PoseFault::NotConstant(_)) if outline.until => {}
-        recorded if motion.goal.is_none() => {
-            motion.goal = Some(recorded);
-            motion.goal_ends_statement = true;
-        }
+        recorded if motion.goal.is_none() => motion.goal = Some(recorded),
         _ => {}
     }
 }

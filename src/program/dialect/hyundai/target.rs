@@ -29,12 +29,7 @@ pub(super) fn target(file: usize, name: Option<String>, pose: &WrittenPose) -> T
         (Coordinates::Joint, Some(joints)) => {
             TargetValue::Joint(Box::new(JointNumbers { joints, units: Units::MM_DEG }))
         }
-        (_, Some([x, y, z, rx, ry, rz])) => TargetValue::Cartesian(Box::new(CartesianNumbers {
-            position: [x, y, z],
-            orientation: vec![rx, ry, rz],
-            convention: OrientationConvention::FixedXyz,
-            units: Units::MM_DEG,
-        })),
+        (_, Some(numbers)) => TargetValue::Cartesian(Box::new(cartesian(numbers))),
     };
     let additional = pose.axes.iter().enumerate().skip(ROBOT_AXES);
     Target {
@@ -51,11 +46,18 @@ pub(super) fn target(file: usize, name: Option<String>, pose: &WrittenPose) -> T
     }
 }
 
-/// The frame or tool that six numbers describe, if there are six: millimetres and degrees, fixed X-Y-Z.
+/// The frame or tool that six numbers describe, if there are six.
 pub(super) fn pose_of(axes: &[NumberField]) -> Option<Pose> {
-    let [x, y, z, rx, ry, rz] = six(axes)?.map(|field| field.value);
-    let rotation = OrientationConvention::FixedXyz.rotation(&[rx, ry, rz].map(f64::to_radians))?;
-    Some(Pose { rotation, translation: nalgebra::Vector3::new(x, y, z) * 1e-3 })
+    cartesian(six(axes)?).pose()
+}
+
+fn cartesian([x, y, z, rx, ry, rz]: [NumberField; ROBOT_AXES]) -> CartesianNumbers {
+    CartesianNumbers {
+        position: [x, y, z],
+        orientation: vec![rx, ry, rz],
+        convention: OrientationConvention::FixedXyz,
+        units: Units::MM_DEG,
+    }
 }
 
 fn six(axes: &[NumberField]) -> Option<[NumberField; ROBOT_AXES]> {

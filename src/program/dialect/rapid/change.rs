@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::motion::{motion_name, stands_still};
+use super::position::is_position_type;
 use super::statement::{FileText, Statement, StatementKind};
 use super::symbol::{Job, Lookup, Scope, Storage};
 use super::token::TokenKind;
@@ -84,16 +85,15 @@ const READERS: &[&str] = &[
     "arcmovejointtarget",
 ];
 
-/// A statement that changes a variable.
-struct Change {
-    element: Option<String>,
-    reason: String,
-}
+/// Instructions and functions of ABB's that write into what they are given.
+const WRITERS: &[&str] =
+    &["getdataval", "setdataval", "unpackrawbytes", "readcfgdata", "strtoval", "readanybin", "loadid", "parid"];
 
-/// All changes of a job, by symbol.
+/// All changes of a job.
 #[derive(Default)]
 pub struct Changes {
-    by_symbol: HashMap<usize, Vec<Change>>,
+    /// By symbol and element (`{2}`; none for all of it): the first statement that changes it.
+    by_symbol: HashMap<usize, HashMap<Option<String>, String>>,
 }
 
 impl Changes {
@@ -117,19 +117,14 @@ impl Changes {
     /// Why the value of a symbol, or of one element of it (`{2}`), is not what its declaration says.
     pub fn reason(&self, symbol: usize, element: &str) -> Option<&str> {
         let changes = self.by_symbol.get(&symbol)?;
-        let hits = |change: &&Change| change.element.as_deref().is_none_or(|changed| changed == element);
-        changes.iter().find(hits).map(|change| change.reason.as_str())
+        changes.get(&None).or_else(|| changes.get(&Some(element.to_owned()))).map(String::as_str)
     }
 
     fn add(&mut self, job: &Job, symbol: usize, element: Option<String>, reason: String) {
         if job.symbols[symbol].storage == Storage::Constant {
             return;
         }
-        let changes = self.by_symbol.entry(symbol).or_default();
-        // The first statement that changes an element is reason enough.
-        if !changes.iter().take(64).any(|change| change.element.is_none() || change.element == element) {
-            changes.push(Change { element, reason });
-        }
+        self.by_symbol.entry(symbol).or_default().entry(element).or_insert(reason);
     }
 
     fn assignment(&mut self, job: &Job, text: &FileText, statement: &Statement, scope: Scope) {
@@ -143,20 +138,15 @@ impl Changes {
     fn passed(&mut self, job: &Job, text: &FileText, statement: &Statement, scope: Scope) {
         let Range { start, end } = statement.tokens.clone();
         let is_call = statement.kind == StatementKind::Call;
-        let mut calls = vec![Call { callee: is_call.then_some(start), argument: 0, searches: 0 }];
+        let mut calls = vec![Call { callee: is_call.then_some(start), searches: 0 }];
         for at in start + usize::from(is_call)..end {
             match text.kind(at) {
                 Some(TokenKind::Symbol(b'(' | b'[' | b'{')) => {
                     let named = text.is_symbol(at, b'(') && at > start && text.kind(at - 1) == Some(TokenKind::Name);
-                    calls.push(Call { callee: named.then(|| at - 1), argument: 0, searches: 0 });
+                    calls.push(Call { callee: named.then(|| at - 1), searches: 0 });
                 }
                 Some(TokenKind::Symbol(b')' | b']' | b'}')) if calls.len() > 1 => {
                     calls.pop();
-                }
-                Some(TokenKind::Symbol(b',' | b'\\')) => {
-                    if let Some(call) = calls.last_mut() {
-                        call.argument += 1;
-                    }
                 }
                 Some(TokenKind::Name) => {
                     if let Some(call) = calls.last_mut() {
@@ -189,15 +179,21 @@ impl Changes {
             return;
         }
         let writes = match motion_name(&name) {
-            _ if job.routine(&name, scope).is_some() => by_reference(job, &name, scope, call.argument),
+            _ if job.routine(&name, scope).is_some() => by_reference(job, &name, scope, data_type),
             // The first position of a search is the variable for what was found.
             Some(motion) if motion.search && data_type == "robtarget" => {
                 call.searches += 1;
                 call.searches == 1
             }
             Some(_) => false,
+            // Calibrations read joint targets and write a tool.
+            None if name.ends_with("calib") => data_type == "tooldata",
+            None if WRITERS.contains(&name.as_str()) => true,
+            // Tools and work objects are handed to every process move, whatever its name.
+            None if !is_position_type(data_type) => false,
             None => {
-                !READERS.contains(&name.as_str()) && !stands_still(&name) && !moves_by_shape(text, callee, at, rest.end)
+                let reads = READERS.contains(&name.as_str()) || stands_still(&name);
+                !reads && !moves_by_shape(text, callee, at, rest.end)
             }
         };
         if writes {
@@ -209,26 +205,26 @@ impl Changes {
 
 struct Call {
     callee: Option<usize>,
-    argument: usize,
     searches: usize,
 }
 
-/// True for an instruction, not a function, with arguments to both sides: an unknown process move is taken to read.
+/// True for an instruction, not a function, with at least two arguments behind the position: an unknown process move
+/// is taken to read only.
 fn moves_by_shape(text: &FileText, callee: usize, at: usize, end: usize) -> bool {
     let function = text.is_symbol(callee + 1, b'(');
-    !function
-        && (callee + 1 == at || text.is_symbol(at - 1, b','))
-        && (at + 1..end.min(at + 64)).filter(|&next| text.is_symbol(next, b',')).count() >= 2
+    let positional = callee + 1 == at || text.is_symbol(at - 1, b',');
+    let commas = (at + 1..end.min(at + 64)).filter(|&next| text.is_symbol(next, b',')).count();
+    !function && positional && commas >= 2
 }
 
-fn by_reference(job: &Job, routine: &str, scope: Scope, argument: usize) -> bool {
-    let Some(routine) = job.routine(routine, scope) else { return true };
-    let parameters = &job.routines[routine].parameters;
-    // Optional arguments may be left out, so places do not always match: any reference parameter from here on counts.
-    let last = parameters.len().saturating_sub(1);
-    parameters[argument.min(last).min(parameters.len())..]
-        .first()
-        .is_none_or(|&parameter| job.symbols[parameter].storage == Storage::Reference)
+/// True when a routine of the job takes values of this type by reference. Optional arguments make places ambiguous,
+/// so the type decides.
+fn by_reference(job: &Job, routine: &str, scope: Scope, data_type: &str) -> bool {
+    let parameters = job.routine(routine, scope).map(|index| job.routines[index].parameters.as_slice());
+    parameters.unwrap_or_default().iter().any(|&parameter| {
+        let parameter = &job.symbols[parameter];
+        parameter.storage == Storage::Reference && parameter.data_type == data_type
+    })
 }
 
 /// The literal index at a token (`{2}`), as [`Job::elements`] spells it; `None` without one or with a variable one.

@@ -15,6 +15,7 @@ mod cutter;
 mod definition;
 mod displacement;
 mod flow;
+mod follow;
 mod motion;
 mod moves;
 mod position;
@@ -89,16 +90,21 @@ fn saved_back(job: &Job, positions: &Positions) -> Option<Diagnostic> {
     Some(Diagnostic::note("pers-saved-back", message).at(file, span, "such as this").help(help))
 }
 
-/// Sorts targets by their place; displacements keep pointing at their base.
+/// The targets that moves reach, sorted by their place; displacements keep pointing at their base.
 fn in_file_order(targets: Vec<Target>) -> Vec<Target> {
-    let mut order: Vec<usize> = (0..targets.len()).collect();
-    order.sort_by_key(|&index| (targets[index].file, targets[index].span));
-    let mut new_place = vec![0; order.len()];
-    for (place, &index) in order.iter().enumerate() {
-        new_place[index] = place;
+    let mut wanted: Vec<bool> = targets.iter().map(|target| !target.uses.is_empty()).collect();
+    for target in &targets {
+        if let TargetValue::Displaced(displacement) = &target.value {
+            wanted[displacement.base] = true;
+        }
     }
-    let mut placed: Vec<(usize, Target)> = targets.into_iter().enumerate().collect();
-    placed.sort_by_key(|(index, _)| new_place[*index]);
+    let mut placed: Vec<(usize, Target)> =
+        targets.into_iter().enumerate().filter(|(index, _)| wanted[*index]).collect();
+    placed.sort_by_key(|(_, target)| (target.file, target.span));
+    let mut new_place = vec![0; wanted.len()];
+    for (place, (index, _)) in placed.iter().enumerate() {
+        new_place[*index] = place;
+    }
     let mut sorted: Vec<Target> = placed.into_iter().map(|(_, target)| target).collect();
     for target in &mut sorted {
         if let TargetValue::Displaced(displacement) = &mut target.value {

@@ -78,6 +78,7 @@ pub fn path_of_unknown(name: &str) -> PathKind {
     match name.trim_end_matches(|letter: char| letter.is_ascii_digit()).chars().last() {
         Some('l') => PathKind::Linear,
         Some('j') => PathKind::Joint,
+        Some('c') => PathKind::ArcEnd,
         _ => PathKind::Other,
     }
 }

@@ -138,7 +138,7 @@ impl<'a> Reader<'_, '_, 'a> {
         if first > 2 || values.len() < first + count + 2 || !looks_like_tool {
             return None;
         }
-        let arc = count == 2;
+        let arc = count == 2 && path_of_unknown(name) == PathKind::ArcEnd;
         let path = |at: usize| match (arc, at) {
             (true, 0) => PathKind::ArcVia,
             (true, _) => PathKind::ArcEnd,

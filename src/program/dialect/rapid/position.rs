@@ -1,7 +1,8 @@
 //! Positions: what an argument that stands where a position belongs refers to, and its numbers.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
+use std::rc::Rc;
 
 use crate::geometry::orientation::OrientationConvention;
 use crate::program::number::NumberField;
@@ -24,11 +25,15 @@ pub struct Positions<'j, 'a> {
     /// All targets, in the order in which moves mention them.
     pub targets: Vec<Target>,
     /// The targets of declared names, one an array element.
-    by_symbol: HashMap<usize, Vec<usize>>,
+    by_symbol: HashMap<usize, Rc<[usize]>>,
+    /// The target of an array element, by symbol and index as written (`{2}`).
+    by_element: HashMap<(usize, String), usize>,
     /// Names that are declared in no file of the job.
     by_name: HashMap<(usize, String), usize>,
     /// How many more targets a variable index may stand for: keeps huge arrays from being listed for each move.
     budget: usize,
+    /// First targets of the arrays for which the budget was too small.
+    overrun: HashSet<usize>,
 }
 
 /// A million uses by variable index are more than any program has.
@@ -49,14 +54,16 @@ impl<'j, 'a> Positions<'j, 'a> {
             changes,
             targets: Vec::new(),
             by_symbol: HashMap::new(),
+            by_element: HashMap::new(),
             by_name: HashMap::new(),
             budget: MAX_INDEXED_USES,
+            overrun: HashSet::new(),
         }
     }
 
     /// The targets of a declared name, if a move goes there.
     pub fn of_symbol(&self, symbol: usize) -> Option<&[usize]> {
-        self.by_symbol.get(&symbol).map(Vec::as_slice)
+        self.by_symbol.get(&symbol).map(AsRef::as_ref)
     }
 
     /// True for an argument that can only be a position.
@@ -65,7 +72,7 @@ impl<'j, 'a> Positions<'j, 'a> {
             let parts = list(text, range).unwrap_or_default();
             let nested = parts.iter().all(|part| text.is_symbol(part.start, b'['));
             let counts: Vec<_> = parts.iter().map(|part| list(text, part).map_or(0, |inner| inner.len())).collect();
-            return nested && (counts == [3, 4, 4, 6] || counts == [6, 6]);
+            return nested && (counts == [3, 4, 4, 6] || counts == [6, 6] || counts == [6]);
         }
         if text.kind(range.start) != Some(TokenKind::Name) {
             return false;
@@ -123,28 +130,33 @@ impl<'j, 'a> Positions<'j, 'a> {
         }
         let all = self.elements(index);
         if !indexed {
-            return all;
+            return all.to_vec();
         }
-        match element_at(text, range.start + 1, range.end) {
-            Some(label) => {
-                let name = format!("{}{label}", symbol.display);
-                let found = all.iter().copied().find(|&target| self.targets[target].name.as_ref() == Some(&name));
-                found.map_or_else(
-                    // A parameter or an array without values has no elements of its own.
-                    || if all.len() == 1 { all.clone() } else { vec![self.no_element(text, range, scope)] },
-                    |target| vec![target],
-                )
-            }
-            None => {
-                let allowed = self.budget.min(all.len());
-                self.budget -= allowed;
-                for &target in &all[allowed..] {
-                    let reason = "too many moves reach it through a variable index".to_owned();
-                    self.targets[target].computed.get_or_insert(reason);
-                }
-                all[..allowed].to_vec()
+        let Some(label) = element_at(text, range.start + 1, range.end) else {
+            return self.any_of(&all);
+        };
+        match self.by_element.get(&(index, label)) {
+            Some(&target) => vec![target],
+            // A parameter or an array without values has one target and no elements.
+            None if all.len() == 1 => all.to_vec(),
+            None => vec![self.no_element(text, range, scope)],
+        }
+    }
+
+    /// All elements of an array, for a variable index.
+    fn any_of(&mut self, all: &[usize]) -> Vec<usize> {
+        if all.len() <= self.budget {
+            self.budget -= all.len();
+            return all.to_vec();
+        }
+        let first = all.first().copied();
+        if first.is_some_and(|first| self.overrun.insert(first)) {
+            for &target in all {
+                let reason = "too many moves reach it through a variable index".to_owned();
+                self.targets[target].computed.get_or_insert(reason);
             }
         }
+        first.into_iter().collect()
     }
 
     fn no_element(&mut self, text: &FileText<'a>, range: &Range<usize>, scope: Scope) -> usize {
@@ -153,9 +165,9 @@ impl<'j, 'a> Positions<'j, 'a> {
     }
 
     /// The targets of a declared name, made when it is first asked for.
-    fn elements(&mut self, index: usize) -> Vec<usize> {
+    fn elements(&mut self, index: usize) -> Rc<[usize]> {
         if let Some(known) = self.by_symbol.get(&index) {
-            return known.clone();
+            return Rc::clone(known);
         }
         let job = self.job;
         let symbol = &job.symbols[index];
@@ -169,6 +181,7 @@ impl<'j, 'a> Positions<'j, 'a> {
             let target_entry = &mut self.targets[target];
             target_entry.name = Some(format!("{}{label}", symbol.display));
             target_entry.computed = changed.or(target_entry.computed.take());
+            self.by_element.insert((index, label.clone()), target);
             made.push(target);
         }
         if made.is_empty() {
@@ -181,7 +194,8 @@ impl<'j, 'a> Positions<'j, 'a> {
             self.targets[target].name = Some(symbol.display.clone());
             made.push(target);
         }
-        self.by_symbol.insert(index, made.clone());
+        let made: Rc<[usize]> = made.into();
+        self.by_symbol.insert(index, Rc::clone(&made));
         made
     }
 
@@ -200,7 +214,8 @@ impl<'j, 'a> Positions<'j, 'a> {
 
     /// A target whose numbers are not in the text.
     pub fn unwritten(&mut self, text: &FileText<'a>, range: &Range<usize>, scope: Scope, reason: String) -> usize {
-        let reason = format!("{reason} (line {})", text.line(range.start));
+        let place = text.line(range.start);
+        let reason = if reason.contains("line ") { reason } else { format!("{reason} (line {place})") };
         self.push(text, range, scope, TargetValue::Unwritten, Err(reason))
     }
 
@@ -235,7 +250,8 @@ impl<'j, 'a> Positions<'j, 'a> {
         let parts = list(text, range).unwrap_or_default();
         let value = match parts.as_slice() {
             [place, turn, ..] if parts.len() == 4 => cartesian(text, place, turn),
-            [joints, _] => numbers::<6>(text, joints)
+            // Some writers of MoveAbsJ leave the list of additional axes out.
+            [joints] | [joints, _] => numbers::<6>(text, joints)
                 .map(|joints| TargetValue::Joint(Box::new(JointNumbers { joints, units: Units::MM_DEG }))),
             _ => None,
         };
@@ -248,7 +264,12 @@ impl<'j, 'a> Positions<'j, 'a> {
                 [_, _, data, _] => values::<4>(text, data).map(configuration).unwrap_or_default(),
                 _ => Configuration::default(),
             },
-            external_axes: parts.last().and_then(|axes| values::<6>(text, axes)).map(external_axes).unwrap_or_default(),
+            external_axes: parts
+                .get(1..)
+                .and_then(<[_]>::last)
+                .and_then(|axes| values::<6>(text, axes))
+                .map(external_axes)
+                .unwrap_or_default(),
         };
         (value, Ok(extras))
     }

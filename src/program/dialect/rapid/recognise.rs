@@ -83,7 +83,9 @@ impl Text<'_> {
         let scoped = usize::from(self.is(at, &["local", "task"]));
         let behind = self.kind(at + scoped + 3);
         self.is(at + scoped, &["const", "pers", "var"])
-            && self.is(at + scoped + 1, DATA_TYPES)
+            // No other language says PERS; CONST and VAR need a type that only RAPID has.
+            && (self.is(at + scoped, &["pers"]) || self.is(at + scoped + 1, DATA_TYPES))
+            && self.kind(at + scoped + 1) == Some(TokenKind::Name)
             && self.kind(at + scoped + 2) == Some(TokenKind::Name)
             && matches!(behind, Some(TokenKind::Assign | TokenKind::Symbol(b';' | b'{')))
     }

@@ -1,0 +1,179 @@
+//! Every shipped program with the robot it is meant for: `programs/jobs.yaml`.
+
+use std::path::{Path, PathBuf};
+
+use falsetarget::base::text::{Source, Span};
+use falsetarget::files::builtin::by_name;
+use falsetarget::files::cell::{self, Cell};
+use falsetarget::geometry::pose::pose_difference;
+use falsetarget::kinematics::controller::Controller;
+use falsetarget::model::arm::ArmModel;
+use falsetarget::program::dialect::{self, DIALECTS, Dialect};
+use falsetarget::program::target::{Program, TargetValue};
+use falsetarget::rewrite::class::Class;
+use falsetarget::rewrite::correct::{Job, Options, correct};
+use falsetarget::rewrite::outcome::Outcome;
+use falsetarget::rewrite::play::play;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use serde::Deserialize;
+
+use super::spoil::spoil;
+use super::{LANDS_WITHIN_M, LANDS_WITHIN_RAD};
+
+#[derive(Deserialize)]
+struct Shipped {
+    program: String,
+    robot: String,
+    cell: Option<String>,
+    #[serde(default)]
+    refused: usize,
+}
+
+fn programs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("programs")
+}
+
+fn shipped() -> Vec<Shipped> {
+    let text = std::fs::read_to_string(programs().join("jobs.yaml")).expect("programs/jobs.yaml");
+    serde_yaml::from_str(&text).expect("a list of jobs")
+}
+
+/// A shipped program, read.
+struct Read {
+    sources: [Source; 1],
+    dialect: &'static dyn Dialect,
+    program: Program,
+    cell: Cell,
+}
+
+impl Read {
+    fn new(job: &Shipped) -> Self {
+        let bytes = std::fs::read(programs().join(&job.program)).expect("the program");
+        let sources = [Source::new(job.program.clone(), bytes)];
+        let dialect = dialect::detect(&sources[0]).expect("a known language");
+        let program = dialect.read(&sources);
+        let cell = job.cell.as_ref().map(|path| {
+            let bytes = std::fs::read(programs().join(path)).expect("the cell file");
+            cell::read(&Source::new(path.clone(), bytes)).expect("a sound cell file")
+        });
+        Self { sources, dialect, program, cell: cell.unwrap_or_default() }
+    }
+
+    fn correct(&self, model: &ArmModel, controller: &Controller, options: &Options) -> Outcome {
+        let rules = self.dialect.meta().numbers;
+        let job = Job { sources: &self.sources, program: &self.program, rules, cell: &self.cell };
+        correct(&job, model, controller, options)
+    }
+}
+
+#[test]
+fn every_dialect_ships_three_programs_and_every_program_is_listed() {
+    let jobs = shipped();
+    for dialect in DIALECTS {
+        let folder = programs().join(dialect.meta().id);
+        let files = std::fs::read_dir(&folder).unwrap_or_else(|_| panic!("no {}", folder.display())).flatten();
+        let mut count = 0;
+        for path in files.map(|entry| entry.path()) {
+            let bytes = std::fs::read(&path).expect("a file");
+            if dialect.recognises(&Source::new("", bytes)) {
+                let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+                let listed = jobs.iter().any(|job| job.program == format!("{}/{name}", dialect.meta().id));
+                assert!(listed, "{} is not in programs/jobs.yaml", path.display());
+                count += 1;
+            }
+        }
+        assert!(count >= 3, "{} ships {count} programs", dialect.meta().id);
+    }
+}
+
+#[test]
+fn without_error_every_program_comes_out_byte_for_byte() {
+    for job in shipped() {
+        let read = Read::new(&job);
+        let robot = by_name(&job.robot).expect("built in").expect("sound");
+        let controller = Controller::new(&robot);
+        for joint_targets in [false, true] {
+            let outcome = read.correct(
+                &ArmModel::controller(robot.clone()),
+                &controller,
+                &Options { joint_targets, ..Options::default() },
+            );
+            assert!(outcome.edits[0].is_empty(), "{} changes", job.program);
+            assert_eq!(outcome.count(Class::Refused), 0, "{}: {:?}", job.program, first_refused(&outcome));
+        }
+    }
+}
+
+fn first_refused(outcome: &Outcome) -> Option<&String> {
+    outcome.targets.iter().find(|target| target.class == Class::Refused)?.reason.as_ref()
+}
+
+#[test]
+fn with_errors_every_program_lands_and_only_digits_of_targets_change() {
+    let mut random = ChaCha8Rng::seed_from_u64(800);
+    let mut landed = 0;
+    for job in shipped() {
+        let read = Read::new(&job);
+        let robot = by_name(&job.robot).expect("built in").expect("sound");
+        let controller = Controller::new(&robot);
+        let model = spoil(robot, &mut random);
+        let options = Options { joint_targets: true, ..Options::default() };
+        let outcome = read.correct(&model, &controller, &options);
+        assert_eq!(outcome.count(Class::Refused), job.refused, "{}: {:?}", job.program, first_refused(&outcome));
+        let bytes = outcome.edits[0].apply(read.sources[0].bytes()).expect("disjoint edits");
+        let again = [Source::new(job.program.clone(), bytes)];
+        let reread = read.dialect.read(&again);
+        assert_same_but_digits(&read, &again[0], &reread, &outcome);
+        let before = play(&read.program, &read.cell, &model, &controller);
+        let after = play(&reread, &read.cell, &model, &controller);
+        assert_eq!(before.len(), after.len(), "{}", job.program);
+        for (meant, arrival) in before.iter().zip(&after) {
+            let result = &outcome.targets[arrival.target];
+            if result.class != Class::Corrected {
+                continue;
+            }
+            let (shift, turn) = pose_difference(&arrival.landed, &meant.written);
+            // A displaced target has the orientation of its base; what that leaves is in the report.
+            let displaced = matches!(read.program.targets[arrival.target].value, TargetValue::Displaced(_));
+            let left_rad = result.figures.as_ref().map_or(0.0, |figures| figures.orientation_left_rad);
+            let allowed_rad = LANDS_WITHIN_RAD + if displaced { left_rad } else { 0.0 };
+            assert!(
+                shift.norm() < LANDS_WITHIN_M && turn.norm() < allowed_rad,
+                "{}, target {}: {:.2e} m, {:.2e} rad",
+                job.program,
+                arrival.target,
+                shift.norm(),
+                turn.norm()
+            );
+            landed += 1;
+        }
+    }
+    assert!(landed > 6000, "only {landed} arrivals were checked");
+}
+
+/// Between targets every byte is as it was; inside a corrected one, every byte that is not part of a number.
+fn assert_same_but_digits(read: &Read, again: &Source, reread: &Program, outcome: &Outcome) {
+    let source = &read.sources[0];
+    assert_eq!(read.program.targets.len(), reread.targets.len(), "{}", source.name());
+    let (mut here, mut there) = (0, 0);
+    let mut pairs: Vec<_> = read.program.targets.iter().zip(&reread.targets).zip(&outcome.targets).collect();
+    pairs.sort_by_key(|((target, _), _)| target.span);
+    for ((target, changed), result) in pairs {
+        let gap = (Span::new(here, target.span.start), Span::new(there, changed.span.start));
+        assert_eq!(source.slice(gap.0), again.slice(gap.1), "{} before a target", source.name());
+        let (inside, inside_now) = (source.slice(target.span), again.slice(changed.span));
+        if result.class == Class::Corrected {
+            assert_eq!(without_numbers(inside), without_numbers(inside_now), "{}", source.name());
+        } else {
+            assert_eq!(inside, inside_now, "{}", source.name());
+        }
+        (here, there) = (target.span.end, changed.span.end);
+    }
+    let rest = |source: &Source, from: usize| source.slice(Span::new(from, usize::MAX)).to_vec();
+    assert_eq!(rest(source, here), rest(again, there), "{} at the end", source.name());
+}
+
+fn without_numbers(text: &[u8]) -> Vec<u8> {
+    text.iter().copied().filter(|byte| !matches!(byte, b'0'..=b'9' | b'.' | b'-' | b'+')).collect()
+}

@@ -1,0 +1,174 @@
+//! What every robot language owes, tried on every shipped program and on damaged copies of it.
+
+use std::path::{Path, PathBuf};
+
+use falsetarget::base::text::{Source, Span};
+use falsetarget::program::dialect::{DIALECTS, Dialect};
+use falsetarget::program::number::{NumberField, number_at};
+use falsetarget::program::target::{Program, Target, TargetValue};
+use proptest::prelude::*;
+
+fn programs_folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("programs")
+}
+
+/// The shipped programs of a dialect; notes and cell files beside them are none.
+fn shipped(dialect: &dyn Dialect) -> Vec<Source> {
+    let folder = programs_folder().join(dialect.meta().id);
+    let mut paths: Vec<_> = std::fs::read_dir(&folder)
+        .map(|entries| entries.filter_map(|entry| Some(entry.ok()?.path())).collect())
+        .unwrap_or_default();
+    paths.sort();
+    let is_program = |path: &PathBuf| {
+        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
+        path.is_file() && !matches!(ending.as_str(), "md" | "yaml" | "yml")
+    };
+    let read = |path: PathBuf| Source::new(path.display().to_string(), std::fs::read(&path).unwrap_or_default());
+    paths.into_iter().filter(is_program).map(read).collect()
+}
+
+fn fields(target: &Target) -> Vec<&NumberField> {
+    match &target.value {
+        TargetValue::Cartesian(numbers) => numbers.position.iter().chain(&numbers.orientation).collect(),
+        TargetValue::Joint(numbers) => numbers.joints.iter().collect(),
+        TargetValue::Displaced(displacement) => displacement.position.iter().collect(),
+        TargetValue::Unwritten => Vec::new(),
+    }
+}
+
+/// The laws of spans: everything lies inside its file, and what is said to be a number reads as that number.
+fn check_spans(source: &Source, program: &Program) -> Result<(), String> {
+    let file = Span::new(0, source.bytes().len());
+    let mut seen: Vec<Span> = Vec::new();
+    for (index, target) in program.targets.iter().enumerate() {
+        let place = format!("target {index} {:?} at {:?}", target.name, target.span);
+        if target.file != 0 || !file.contains(target.span) {
+            return Err(format!("{place}: outside of its file"));
+        }
+        for field in fields(target) {
+            if !target.span.contains(field.span) {
+                return Err(format!("{place}: number {:?} outside of it", field.span));
+            }
+            if field.column.is_some_and(|column| !file.contains(column) || !column.contains(field.span)) {
+                return Err(format!("{place}: number {:?} outside of its column", field.span));
+            }
+            if field.insertion.is_some() {
+                continue;
+            }
+            let again = number_at(source.bytes(), field.span.start);
+            if again.as_ref().map(|again| (again.value, again.span)) != Some((field.value, field.span)) {
+                return Err(format!("{place}: {:?} is not {}", source.text(field.span), field.value));
+            }
+            seen.push(field.span);
+        }
+        if let TargetValue::Displaced(displacement) = &target.value {
+            let base = program.targets.get(displacement.base).map(|base| &base.value);
+            if !matches!(base, Some(TargetValue::Cartesian(_) | TargetValue::Joint(_))) {
+                return Err(format!("{place}: displaces nothing"));
+            }
+        }
+        if matches!(target.value, TargetValue::Unwritten) && target.computed.is_none() {
+            return Err(format!("{place}: no numbers and no reason"));
+        }
+        if let Some(used) = target.uses.iter().find(|used| used.file != 0 || !file.contains(used.span)) {
+            return Err(format!("{place}: its use at {:?} is outside of the file", used.span));
+        }
+    }
+    seen.sort();
+    match seen.windows(2).find(|pair| pair[0].end > pair[1].start) {
+        Some(pair) => Err(format!("two numbers share bytes: {pair:?}")),
+        None => Ok(()),
+    }
+}
+
+#[test]
+fn every_folder_of_programs_belongs_to_a_dialect() {
+    let folders = std::fs::read_dir(programs_folder()).expect("the programs");
+    for folder in folders.filter_map(Result::ok).filter(|entry| entry.path().is_dir()) {
+        let name = folder.file_name().to_string_lossy().into_owned();
+        assert!(DIALECTS.iter().any(|dialect| dialect.meta().id == name), "programs/{name} is no dialect");
+    }
+}
+
+#[test]
+fn every_shipped_program_is_recognised_by_its_own_dialect_only() {
+    for dialect in DIALECTS {
+        for source in shipped(*dialect) {
+            let claimed: Vec<_> =
+                DIALECTS.iter().filter(|other| other.recognises(&source)).map(|other| other.meta().id).collect();
+            assert_eq!(claimed, [dialect.meta().id], "{}", source.name());
+        }
+    }
+}
+
+#[test]
+fn every_shipped_program_has_targets_with_true_spans() {
+    for dialect in DIALECTS {
+        for source in shipped(*dialect) {
+            let program = dialect.read(std::slice::from_ref(&source));
+            assert!(program.targets.iter().any(|target| !target.uses.is_empty()), "{}", source.name());
+            check_spans(&source, &program).unwrap_or_else(|law| panic!("{}: {law}", source.name()));
+        }
+    }
+}
+
+/// A piece of a shipped program, small enough to be damaged many times.
+fn pieces() -> Vec<Vec<u8>> {
+    let mut pieces = Vec::new();
+    for dialect in DIALECTS {
+        for source in shipped(*dialect) {
+            let bytes = source.bytes();
+            let middle = bytes.len() / 2;
+            pieces.push(bytes[..bytes.len().min(6000)].to_vec());
+            pieces.push(bytes[middle..bytes.len().min(middle + 6000)].to_vec());
+        }
+    }
+    pieces
+}
+
+fn read_by_all(bytes: Vec<u8>) -> Result<(), TestCaseError> {
+    let source = Source::new("damaged", bytes);
+    for dialect in DIALECTS {
+        let _ = dialect.recognises(&source);
+        let program = dialect.read(std::slice::from_ref(&source));
+        check_spans(&source, &program).map_err(|law| TestCaseError::fail(format!("{}: {law}", dialect.meta().id)))?;
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn random_bytes_are_read_without_harm(bytes in proptest::collection::vec(any::<u8>(), 0..600)) {
+        let source = Source::new("random", bytes.clone());
+        let claimed = DIALECTS.iter().filter(|dialect| dialect.recognises(&source)).count();
+        prop_assert!(claimed <= 1);
+        read_by_all(bytes)?;
+    }
+
+    #[test]
+    fn damaged_programs_are_read_without_harm(
+        piece in any::<prop::sample::Index>(),
+        start in any::<prop::sample::Index>(),
+        length in 0usize..200,
+        filling in proptest::collection::vec(any::<u8>(), 0..8),
+    ) {
+        let pieces = pieces();
+        prop_assume!(!pieces.is_empty());
+        let mut bytes = pieces[piece.index(pieces.len())].clone();
+        let start = start.index(bytes.len());
+        let end = (start + length).min(bytes.len());
+        bytes.splice(start..end, filling);
+        read_by_all(bytes)?;
+    }
+
+    #[test]
+    fn cut_off_programs_are_read_without_harm(piece in any::<prop::sample::Index>(), end in any::<prop::sample::Index>()) {
+        let pieces = pieces();
+        prop_assume!(!pieces.is_empty());
+        let mut bytes = pieces[piece.index(pieces.len())].clone();
+        bytes.truncate(end.index(bytes.len()));
+        read_by_all(bytes)?;
+    }
+}
