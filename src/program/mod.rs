@@ -6,4 +6,5 @@
 pub mod dialect;
 pub mod number;
 pub mod scan;
+pub mod selection;
 pub mod target;

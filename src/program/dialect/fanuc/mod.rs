@@ -26,7 +26,6 @@ mod motion;
 mod points;
 mod reader;
 mod section;
-mod selection;
 mod statement;
 
 #[cfg(test)]

@@ -7,13 +7,13 @@ use crate::base::text::{Source, Span};
 use crate::geometry::pose::Pose;
 use crate::program::number::starts_with_word;
 use crate::program::scan::Cursor;
+use crate::program::selection::{InForce, Selections};
 use crate::program::target::{Definition, FrameData, Program, Reference, Target, TargetValue, ToolData, Use};
 
 use super::block::blocks;
 use super::motion::{Goal, Motion, motion};
 use super::points::{Point, Stored, point};
 use super::section::{Sections, programs};
-use super::selection::{InForce, Selected, Selections};
 use super::statement::{Statement, bracket, index, skip_gap, statements, without_comments};
 
 /// Reads the files of one job. Points are known in their own program only.
@@ -123,9 +123,9 @@ impl<'a> One<'a> {
             return;
         }
         let value = without_comments(cursor.rest());
-        let selected = || match value.parse() {
-            Ok(number) => Selected::Number(number),
-            Err(_) => Selected::Runtime(format!("`{value}` in line {line} selects it")),
+        let selected = || match value.parse::<u32>() {
+            Ok(number) => numbered(number),
+            Err(_) => Reference::Runtime(format!("`{value}` in line {line} selects it")),
         };
         let place = Definition { file: self.file, span: statement.span, value: Ok(()) };
         let reason = format!("set to `{value}` in line {line}");
@@ -229,12 +229,11 @@ impl<'a> One<'a> {
     /// Frame and tool of a motion to a point: what the point stores, unless a register selects.
     fn resolve(&self, point: &Point, one: &mut Use) {
         let offset = one.span.start;
-        let named = |number: u32| Reference::Named(number.to_string().into());
         let reference = |stored: Stored, in_force: InForce<'_>, word: &str| match (stored, in_force) {
-            (_, InForce::Known(Selected::Runtime(reason))) => Reference::Runtime(reason.clone()),
-            (Stored::Number(number), _) => named(number),
-            (Stored::Any, InForce::Known(Selected::Number(number))) => named(*number),
-            (Stored::Any, InForce::Open) => {
+            (_, InForce::Known(Reference::Runtime(reason))) => Reference::Runtime(reason.clone()),
+            (Stored::Number(number), _) => numbered(number),
+            (Stored::Any, InForce::Known(selected)) => selected.clone(),
+            (Stored::Any, InForce::Nothing | InForce::Open) => {
                 Reference::Runtime(format!("P[{}] is stored without {word}, and none is selected here", point.number))
             }
         };
@@ -250,7 +249,9 @@ impl<'a> One<'a> {
             ("UT", point.tool, self.tools.at(offset, &self.joins)),
         ];
         pairs.into_iter().find_map(|(word, stored, in_force)| match (stored, in_force) {
-            (Stored::Number(stored), InForce::Known(Selected::Number(selected))) if stored != *selected => {
+            (Stored::Number(stored), InForce::Known(Reference::Named(selected)))
+                if selected.as_ref() != stored.to_string() =>
+            {
                 let text = format!("P[{}] is stored for {word} {stored}, {selected} is selected", point.number);
                 Some((statement.span, text))
             }
@@ -285,6 +286,10 @@ impl<'a> One<'a> {
             findings.push(Diagnostic::warning("missing-end", message).at(self.file, end, "the text stops here"));
         }
     }
+}
+
+fn numbered(number: u32) -> Reference {
+    Reference::Named(number.to_string().into())
 }
 
 fn unknown<T>(place: &Definition<()>, reason: String) -> Definition<T> {
