@@ -4,7 +4,7 @@
 //! A copy of the declaration is put behind it under a new name, and the moves of the other settings name the copy. The
 //! program that comes out goes to the same places as before; it is then corrected like any other.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use crate::base::edit::EditSet;
 use crate::base::text::{Source, Span};
@@ -23,7 +23,7 @@ struct Setting(String, String, String);
 /// nothing to split: no shared target, or none in a language that allows it.
 pub fn split(sources: &[Source], program: &Program, outcome: &Outcome) -> Vec<EditSet> {
     let mut edits = vec![EditSet::default(); sources.len()];
-    let mut taken: Vec<String> = Vec::new();
+    let mut taken = identifiers(sources);
     let shared = outcome.targets.iter().enumerate().filter(|(_, target)| target.shared);
     for (index, _) in shared {
         if let Some(declaration) = program.declarations.get(&index) {
@@ -38,12 +38,14 @@ fn split_target(
     program: &Program,
     index: usize,
     declaration: &Declaration,
-    taken: &mut Vec<String>,
+    taken: &mut HashSet<String>,
     edits: &mut [EditSet],
 ) {
     let target = &program.targets[index];
     let source = &sources[target.file];
     let own = source.text(declaration.name).into_owned();
+    let mut mentions = declaration.mentions.clone();
+    mentions.sort();
     let mut names: BTreeMap<Setting, String> = BTreeMap::new();
     let mut copies = Vec::new();
     for one in moves(program, index) {
@@ -52,8 +54,8 @@ fn split_target(
         let name = names.entry(Setting::of(one)).or_insert_with(|| match count {
             0 => own.clone(),
             _ => {
-                let name = fresh_name(sources, taken, &own);
-                taken.push(name.to_lowercase());
+                let name = fresh_name(taken, &own);
+                taken.insert(Program::key(&name));
                 copies.push(name.clone());
                 name
             }
@@ -61,9 +63,9 @@ fn split_target(
         if *name == own {
             continue;
         }
-        for (_, place) in declaration.mentions.iter().filter(|(file, at)| *file == one.file && one.span.contains(*at)) {
-            edits[one.file].push(*place, name.as_bytes());
-        }
+        let from = mentions.partition_point(|mention| *mention < (one.file, one.span));
+        let inside = mentions[from..].iter().take_while(|(file, at)| *file == one.file && one.span.contains(*at));
+        inside.for_each(|(_, place)| edits[one.file].push(*place, name.as_bytes()));
     }
     let end = line_end_behind(source, declaration.statement.end);
     let (line_end, indent) = (newline(source), indentation(source, declaration.statement.start));
@@ -106,18 +108,24 @@ impl Setting {
     }
 }
 
-/// `pS101_2`, or the next number that stands nowhere in the job.
-fn fresh_name(sources: &[Source], taken: &[String], own: &str) -> String {
-    let texts: Vec<Vec<u8>> = sources.iter().map(|source| source.bytes().to_ascii_lowercase()).collect();
+/// Every word of the files that could be an identifier, in lower case.
+fn identifiers(sources: &[Source]) -> HashSet<String> {
+    let is_part = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_' || !byte.is_ascii();
+    let words = |source: &Source| -> HashSet<String> {
+        let words = source.bytes().split(|byte| !is_part(byte)).filter(|word| !word.is_empty());
+        words.map(|word| Program::key(&String::from_utf8_lossy(word))).collect()
+    };
+    sources.iter().flat_map(words).collect()
+}
+
+/// `pS101_2`, or the next number whose name stands nowhere in the job.
+fn fresh_name(taken: &HashSet<String>, own: &str) -> String {
     let mut number = 2usize;
     loop {
         let suffix = format!("_{number}");
         let room = LONGEST_NAME.saturating_sub(suffix.len());
-        let stem: String = own.chars().take(room).collect();
-        let name = stem + &suffix;
-        let key = name.to_lowercase();
-        let stands = |text: &Vec<u8>| text.windows(key.len()).any(|window| window == key.as_bytes());
-        if !taken.contains(&key) && !texts.iter().any(stands) {
+        let name = own.chars().take(room).collect::<String>() + &suffix;
+        if !taken.contains(&Program::key(&name)) {
             return name;
         }
         number += 1;
@@ -146,4 +154,27 @@ fn indentation(source: &Source, at: usize) -> Span {
     let blanks = before.iter().rev().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
     let begins_line = before[..at - blanks].last().is_none_or(|byte| matches!(byte, b'\n' | b'\r'));
     Span::new(if begins_line { at - blanks } else { at }, at)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fresh_names_are_short_and_stand_nowhere() {
+        let taken = identifiers(&[Source::new("t", "MoveL P1,v1; x{P1_2}:=1; ! p1_4")]);
+        assert_eq!(fresh_name(&taken, "p1"), "p1_3");
+        let long = "p".repeat(LONGEST_NAME);
+        assert_eq!(fresh_name(&taken, &long), format!("{}_2", "p".repeat(LONGEST_NAME - 2)));
+    }
+
+    #[test]
+    fn copies_go_behind_a_comment_but_not_behind_code() {
+        let commented = Source::new("t", "CONST a; ! b\nc");
+        assert_eq!(line_end_behind(&commented, 8), 12);
+        let crowded = Source::new("t", "CONST a; PROC b()\n");
+        assert_eq!(line_end_behind(&crowded, 8), 8);
+        assert_eq!(indentation(&crowded, 9), Span::new(9, 9));
+        assert_eq!(indentation(&Source::new("t", "x\n \tCONST"), 4), Span::new(2, 4));
+    }
 }
