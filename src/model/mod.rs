@@ -13,5 +13,6 @@ pub mod jacobian;
 pub mod linkage;
 pub mod network;
 pub mod parameters;
+pub mod ready_network;
 pub mod robot;
 pub mod statics;
