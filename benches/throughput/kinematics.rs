@@ -32,8 +32,7 @@ impl Pair {
     fn isometries(&self) -> Vec<Isometry3<f64>> {
         let isometry = |pose: Pose| {
             let (place, turn) = (Translation3::from(pose.translation), UnitQuaternion::from_matrix(&pose.rotation));
-            let isometry = Isometry3::from_parts(place, turn);
-            isometry
+            Isometry3::from_parts(place, turn)
         };
         let all: Vec<_> = self.poses().into_iter().map(isometry).collect();
         let agree = |(one, numbers): (&Isometry3<f64>, &Joints)| {

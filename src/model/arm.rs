@@ -157,6 +157,11 @@ pub enum ArmError {
 }
 
 impl<T: ModelScalar> PreparedArm<'_, T> {
+    /// The model that was prepared.
+    pub fn model(&self) -> &ArmModel {
+        self.model
+    }
+
     /// `measuring_T_base` with its error.
     pub fn measuring_t_base(&self) -> Pose<T> {
         Pose::constant(&self.model.measuring_t_base) * displacement_pose(&self.parameters.base)

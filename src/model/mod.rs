@@ -16,3 +16,4 @@ pub mod parameters;
 pub mod ready_network;
 pub mod robot;
 pub mod statics;
+pub mod uncertainty;

@@ -65,7 +65,7 @@ impl Decimal {
 /// The nearest count of units, where doubles can tell it.
 fn units(exact: f64, decimals: usize) -> Option<i64> {
     let scaled = exact * POWERS_OF_TEN.get(decimals)?;
-    if !(scaled.abs() < MOST_UNITS) {
+    if scaled.is_nan() || scaled.abs() >= MOST_UNITS {
         return None;
     }
     let below = scaled as i64;

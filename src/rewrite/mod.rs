@@ -9,6 +9,7 @@ pub mod outcome;
 pub mod play;
 mod setting;
 mod visits;
+mod words;
 
 pub use class::{Class, class_by_text};
 pub use correct::{Job, Options, correct};
