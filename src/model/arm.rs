@@ -7,6 +7,7 @@ use super::effect::{Effect, Location, ModelScalar, Response};
 use super::linkage::{LoopErrors, LoopOpen, RowAngles};
 use super::network::ResidualNetwork;
 use super::parameters::Parameters;
+use super::ready_network::ReadyNetwork;
 use super::robot::{DOF, LOOP_AROUND, Robot};
 use super::statics::{Statics, largest_torque_nm};
 
@@ -95,7 +96,8 @@ impl ArmModel {
         };
         let largest_torque_nm = std::array::from_fn(|joint| largest_torque_nm(&self.robot, joint));
         let rows = Rows::new(&self.robot, &parameters);
-        PreparedArm { rows, loop_errors, largest_torque_nm, model: self, parameters }
+        let network = self.network.as_ref().map(ResidualNetwork::ready);
+        PreparedArm { rows, loop_errors, largest_torque_nm, network, model: self, parameters }
     }
 
     /// [`ArmModel::prepare`] with the model's own parameters.
@@ -120,6 +122,7 @@ pub struct PreparedArm<'a, T: ModelScalar> {
     pub(super) rows: Rows<T>,
     pub(super) loop_errors: LoopErrors<T>,
     pub(super) largest_torque_nm: [f64; DOF],
+    pub(super) network: Option<ReadyNetwork>,
 }
 
 /// The arm in one pose.

@@ -5,7 +5,8 @@ use super::chain::Chain;
 use super::conditions::Conditions;
 use super::effect::{Context, ModelScalar, Response, Setting};
 use super::linkage::{RowAngles, actuators_from_numbers, row_angles};
-use super::network::{Output, ResidualNetwork};
+use super::network::Output;
+use super::ready_network::ReadyNetwork;
 use super::robot::DOF;
 use super::statics::{Load, Statics};
 
@@ -131,7 +132,7 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         }
     }
 
-    fn network_for(&self, output: Output) -> Option<&ResidualNetwork> {
-        self.model.network.as_ref().filter(|network| network.output == output)
+    fn network_for(&self, output: Output) -> Option<&ReadyNetwork> {
+        self.network.as_ref().filter(|network| network.output == output)
     }
 }

@@ -13,6 +13,7 @@ pub mod jacobian;
 pub mod linkage;
 pub mod network;
 pub mod parameters;
+pub mod ready_network;
 pub mod robot;
 pub mod statics;
 pub mod uncertainty;
