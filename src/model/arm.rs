@@ -1,12 +1,13 @@
-//! The real arm: nominal robot, errors, effects and network together, at static equilibrium.
+//! The real arm: nominal robot, errors, effects and what was learned together, at static equilibrium.
 
 use crate::geometry::pose::Pose;
 
 use super::chain::{Chain, Rows, displacement_pose};
 use super::conditions::Conditions;
 use super::effect::{Context, Effect, Location, ModelScalar, Response, Setting};
+use super::learner::Learner;
 use super::linkage::{LoopErrors, LoopOpen, RowAngles, actuators_from_numbers, row_angles};
-use super::network::{Output, ResidualNetwork};
+use super::network::Output;
 use super::parameters::Parameters;
 use super::robot::{DOF, LOOP_AROUND, Robot};
 use super::statics::{Load, Statics, largest_torque_nm};
@@ -40,7 +41,7 @@ pub struct ArmModel {
     /// The effects, joint compliances of the robot file first.
     pub effects: Vec<EffectInstance>,
     /// What is learned on top.
-    pub network: Option<ResidualNetwork>,
+    pub learner: Option<Learner>,
 }
 
 impl ArmModel {
@@ -59,7 +60,7 @@ impl ArmModel {
             robot,
             parameters,
             effects,
-            network: None,
+            learner: None,
         }
     }
 
@@ -72,19 +73,16 @@ impl ArmModel {
             robot,
             parameters,
             effects: Vec::new(),
-            network: None,
+            learner: None,
         }
     }
 
-    /// True when some effect that is on, or the network, asks in which sense a joint arrives.
+    /// True when some effect that is on, or the learner, asks in which sense a joint arrives.
     pub fn depends_on_approach(&self) -> bool {
         let by_effect = self.effects.iter().zip(&self.parameters.effects).any(|(instance, values)| {
             instance.effect.meta().needs.approach && values.iter().any(|&value| value != 0.0)
         });
-        let by_network = self.network.as_ref().is_some_and(|network| {
-            network.features.iter().any(|feature| matches!(feature, super::network::Feature::Approach(_)))
-        });
-        by_effect || by_network
+        by_effect || self.learner.as_ref().is_some_and(Learner::depends_on_approach)
     }
 
     /// The model with its parameters over the scalar `T`, ready to be evaluated many times.
@@ -222,9 +220,9 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         for (instance, parameters) in self.model.effects.iter().zip(&self.parameters.effects) {
             T::respond(instance.effect, &instance.location, parameters, context, &mut response);
         }
-        if let Some(network) = self.network_for(Output::Actuators) {
+        if let Some(learner) = self.learner_for(Output::Actuators) {
             let torque = &context.statics.actuator_torque_nm;
-            let learned = network.outputs(context.actuators_rad, torque, context.conditions);
+            let learned = learner.outputs(context.actuators_rad, torque, context.conditions);
             for (joint, angle) in learned.into_iter().enumerate() {
                 response.turn(joint, angle);
             }
@@ -234,8 +232,8 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
 
     fn flange(&self, chain: &Chain<T>, commanded: &[T; DOF], statics: &Statics<T>, conditions: &Conditions) -> Pose<T> {
         let mut flange = chain.flange();
-        if let Some(network) = self.network_for(Output::Position) {
-            let learned = network.outputs(commanded, &statics.actuator_torque_nm, conditions);
+        if let Some(learner) = self.learner_for(Output::Position) {
+            let learned = learner.outputs(commanded, &statics.actuator_torque_nm, conditions);
             for (coordinate, shift) in flange.translation.iter_mut().zip(learned) {
                 *coordinate += shift;
             }
@@ -243,8 +241,8 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         flange
     }
 
-    fn network_for(&self, output: Output) -> Option<&ResidualNetwork> {
-        self.model.network.as_ref().filter(|network| network.output == output)
+    fn learner_for(&self, output: Output) -> Option<&Learner> {
+        self.model.learner.as_ref().filter(|learner| learner.output() == output)
     }
 
     /// `measuring_T_base` with its error.

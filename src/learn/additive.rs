@@ -1,0 +1,242 @@
+//! The learner of joint errors: geometry and functions of one variable each, in one Bayesian regression.
+//!
+//! Geometry is free along with the functions, under the prior that identification had: a function that looks like a
+//! zero offset or a length must not fight the offset that absorbed it.
+
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+
+use crate::identify::state::State;
+use crate::identify::unknown::Unknown;
+use crate::model::curves::{Curve, JointCurves};
+
+use super::evidence::{Groups, Moments, Posterior, Variances, maximise, posterior};
+use super::samples::Samples;
+use super::term::Term;
+
+/// A regression of the residuals on geometry and terms, its rows summed up by fold.
+#[derive(Clone, Debug)]
+pub struct Regression {
+    /// The terms; their sines follow the columns of geometry.
+    pub terms: Vec<Term>,
+    /// Number of columns of geometry.
+    pub geometry: usize,
+    /// Prior mean of the geometry, in units of its prior.
+    prior_mean: DVector<f64>,
+    groups: Groups,
+    design: DMatrix<f64>,
+    missing: DVector<f64>,
+    /// Rows of each record.
+    rows: Vec<usize>,
+    fold_of: Vec<usize>,
+    folds: Vec<Moments>,
+}
+
+/// What a regression found.
+#[derive(Clone, Debug)]
+pub struct Fitted {
+    /// The variances.
+    pub variances: Variances,
+    /// The weights.
+    pub posterior: Posterior,
+}
+
+impl Regression {
+    /// Sets the regression up.
+    ///
+    /// # Arguments
+    /// * `unknowns` - those of [`Samples::new`]; with `state` they say where the prior's mean lies
+    /// * `fold_of` - fold of each record
+    pub fn new(samples: &Samples<'_>, state: &State, unknowns: &[Unknown], terms: Vec<Term>, fold_of: &[usize]) -> Self {
+        let geometry = samples.geometry.ncols();
+        let columns = geometry + terms.iter().map(|term| term.sines).sum::<usize>();
+        let mut design = DMatrix::zeros(samples.missing.len(), columns);
+        design.columns_mut(0, geometry).copy_from(&samples.geometry);
+        let mut of = vec![None; geometry];
+        let mut first = geometry;
+        let mut count = 0;
+        for term in &terms {
+            fill(&mut design, first, term, samples);
+            of.extend((0..term.sines).map(|sine| Some(count + term.band_of(sine))));
+            first += term.sines;
+            count += term.bands.len();
+        }
+        let prior_mean = DVector::from_iterator(
+            geometry,
+            unknowns.iter().map(|unknown| {
+                (unknown.prior.mean - state.get(unknown.id).unwrap_or(unknown.prior.mean)) / unknown.prior.sigma
+            }),
+        );
+        let missing = &samples.missing - &samples.geometry * &prior_mean;
+        let fold_count = fold_of.iter().max().map_or(0, |largest| largest + 1);
+        let folds = (0..fold_count)
+            .into_par_iter()
+            .map(|fold| {
+                let rows: Vec<usize> = (0..samples.count())
+                    .filter(|&record| fold_of[record] == fold)
+                    .flat_map(|record| samples.rows_of(record))
+                    .collect();
+                Moments::of(&design.select_rows(&rows), &missing.select_rows(&rows))
+            })
+            .collect();
+        Self {
+            terms,
+            geometry,
+            prior_mean,
+            groups: Groups { of, count },
+            design,
+            missing,
+            rows: samples.rows.clone(),
+            fold_of: fold_of.to_vec(),
+            folds,
+        }
+    }
+
+    fn moments_without(&self, fold: Option<usize>) -> Moments {
+        let mut total = Moments::none(self.design.ncols());
+        for (index, moments) in self.folds.iter().enumerate() {
+            if Some(index) != fold {
+                total.add(moments, 1.0);
+            }
+        }
+        total
+    }
+
+    /// Variances and weights from all folds but one. `None` where numbers are not finite.
+    pub fn fit(&self, without: Option<usize>, start: Option<&Variances>) -> Option<Fitted> {
+        let moments = self.moments_without(without);
+        let start = start.cloned().unwrap_or_else(|| self.start(&moments));
+        let variances = maximise(&moments, &self.groups, &start);
+        let posterior = posterior(&moments, &self.groups, &variances)?;
+        Some(Fitted { variances, posterior })
+    }
+
+    /// Every group explains a tenth of what geometry leaves, the rest is noise.
+    fn start(&self, moments: &Moments) -> Variances {
+        let free = self.geometry.min(moments.gram.ncols());
+        let bare = Moments {
+            gram: moments.gram.view((0, 0), (free, free)).into_owned(),
+            right: moments.right.rows(0, free).into_owned(),
+            ..moments.clone()
+        };
+        let groups = Groups { of: vec![None; free], count: 0 };
+        let unit = Variances { groups: vec![], noise: 1.0 };
+        let explained = posterior(&bare, &groups, &unit).map_or(0.0, |found| bare.right.dot(&found.mean));
+        let left = ((moments.square - explained) / moments.rows).max(1e-12 * moments.square / moments.rows);
+        let mut size = vec![0.0; self.groups.count];
+        for (column, group) in self.groups.of.iter().enumerate() {
+            if let Some(group) = group {
+                size[*group] += moments.gram[(column, column)] / moments.rows;
+            }
+        }
+        let share = 0.1 * left;
+        Variances { groups: size.iter().map(|&size| share / size.max(f64::MIN_POSITIVE)).collect(), noise: 0.5 * left }
+    }
+
+    /// What the weights leave of every record of a fold: whitened residuals, by record.
+    pub fn left_of_fold(&self, fold: usize, mean: &DVector<f64>) -> Vec<(usize, DVector<f64>)> {
+        (0..self.fold_of.len())
+            .filter(|&record| self.fold_of[record] == fold)
+            .map(|record| {
+                let (first, count) = (self.rows[record], self.rows[record + 1] - self.rows[record]);
+                let rows = self.design.rows(first, count);
+                (record, self.missing.rows(first, count) - rows * mean)
+            })
+            .collect()
+    }
+
+    /// Whitened residuals of every record, each from a regression that did not see its fold.
+    pub fn held_out(&self, start: Option<&Variances>) -> Option<Vec<DVector<f64>>> {
+        let parts: Option<Vec<_>> = (0..self.folds.len())
+            .into_par_iter()
+            .map(|fold| Some(self.left_of_fold(fold, &self.fit(Some(fold), start)?.posterior.mean)))
+            .collect();
+        let mut all = vec![DVector::zeros(0); self.fold_of.len()];
+        for (record, left) in parts?.into_iter().flatten() {
+            all[record] = left;
+        }
+        Some(all)
+    }
+
+    /// Moves the geometry of `state` to where the regression has it.
+    pub fn move_geometry(&self, fitted: &Fitted, unknowns: &[Unknown], state: &mut State) {
+        for (index, unknown) in unknowns.iter().enumerate() {
+            let change = self.prior_mean[index] + fitted.posterior.mean[index];
+            state.add(unknown.id, change * unknown.prior.sigma);
+        }
+    }
+
+    /// The terms as curves.
+    pub fn curves(&self, fitted: &Fitted) -> JointCurves {
+        let mut first = self.geometry;
+        let curves = self
+            .terms
+            .iter()
+            .map(|term| {
+                let weights = fitted.posterior.mean.rows(first, term.sines).into_owned();
+                let root = fitted.posterior.root.columns(first, term.sines);
+                first += term.sines;
+                curve(term, &weights, &root.into_owned())
+            })
+            .collect();
+        JointCurves { curves }
+    }
+}
+
+fn fill(design: &mut DMatrix<f64>, first: usize, term: &Term, samples: &Samples<'_>) {
+    let mut sines = vec![0.0; term.sines];
+    for record in 0..samples.count() {
+        let (x, sense) = term.input(samples, record);
+        if sense == 0.0 {
+            continue;
+        }
+        term.sines_at(x, &mut sines);
+        for row in samples.rows_of(record) {
+            let lever = samples.levers[(row, term.turns)] * sense;
+            for (sine, &value) in sines.iter().enumerate() {
+                design[(row, first + sine)] = lever * value;
+            }
+        }
+    }
+}
+
+/// Samples of the uncertainty along a curve.
+const SIGMA_POINTS: usize = 25;
+
+/// A sum of sines as a spline. Sampled sines are cubic splines up to a factor, `3 / (2 + cos(w h))`, so that the spline
+/// goes through the function at every knot (Unser 1999).
+fn curve(term: &Term, weights: &DVector<f64>, root: &DMatrix<f64>) -> Curve {
+    // About six knots a wave of the finest sine.
+    let cells = (term.frequency(term.sines - 1) * term.length).ceil().max(4.0) as usize;
+    let step = term.length / cells as f64;
+    let mut sines = vec![0.0; term.sines];
+    let coefficients_rad = (0..=cells)
+        .map(|knot| {
+            term.sines_at(term.start + step * knot as f64, &mut sines);
+            let sum: f64 = (0..term.sines)
+                .map(|sine| weights[sine] * sines[sine] * 3.0 / (2.0 + (term.frequency(sine) * step).cos()))
+                .sum();
+            rounded(sum)
+        })
+        .collect();
+    let sigma_rad = (0..SIGMA_POINTS)
+        .map(|point| {
+            term.sines_at(term.start + term.length * point as f64 / (SIGMA_POINTS - 1) as f64, &mut sines);
+            rounded((root * DVector::from_column_slice(&sines)).norm())
+        })
+        .collect();
+    Curve {
+        turns: term.turns + 1,
+        along: term.along,
+        sense_of: term.sense_of.map(|joint| joint + 1),
+        start: term.start,
+        step,
+        coefficients_rad,
+        sigma_rad,
+    }
+}
+
+/// To a hundredth of a nanoradian: files stay short.
+fn rounded(angle_rad: f64) -> f64 {
+    (angle_rad * 1e11).round() / 1e11
+}
