@@ -54,11 +54,12 @@ impl Regression {
         design.columns_mut(0, geometry).copy_from(&samples.geometry);
         let mut of = vec![None; geometry];
         let mut first = geometry;
-        let mut count = 0;
+        let (mut count, mut neighbours) = (0, Vec::new());
         for term in &terms {
             fill(&mut design, first, term, samples);
             of.extend((0..term.sines).map(|sine| Some(count + term.band_of(sine))));
             first += term.sines;
+            neighbours.extend((1..term.bands.len()).map(|band| (count + band - 1, count + band)));
             count += term.bands.len();
         }
         let prior_mean = DVector::from_iterator(
@@ -83,7 +84,7 @@ impl Regression {
             terms,
             geometry,
             prior_mean,
-            groups: Groups { of, count },
+            groups: Groups { of, count, neighbours },
             design,
             missing,
             rows: samples.rows.clone(),
@@ -119,7 +120,7 @@ impl Regression {
             right: moments.right.rows(0, free).into_owned(),
             ..moments.clone()
         };
-        let groups = Groups { of: vec![None; free], count: 0 };
+        let groups = Groups { of: vec![None; free], count: 0, neighbours: vec![] };
         let unit = Variances { groups: vec![], noise: 1.0 };
         let explained = posterior(&bare, &groups, &unit).map_or(0.0, |found| bare.right.dot(&found.mean));
         let left = ((moments.square - explained) / moments.rows).max(1e-12 * moments.square / moments.rows);

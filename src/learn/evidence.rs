@@ -50,6 +50,8 @@ pub struct Groups {
     pub of: Vec<Option<usize>>,
     /// Number of groups.
     pub count: usize,
+    /// Groups that are bands next to each other: their variances are alike unless the data say otherwise.
+    pub neighbours: Vec<(usize, usize)>,
 }
 
 /// Variances: the prior of each group, and the noise of a row.
@@ -75,7 +77,9 @@ pub struct Posterior {
 }
 
 /// Hyperparameters may wander this many e-folds from where they start before the prior on them tells.
-const WANDER: f64 = 4.0;
+const WANDER: f64 = 10.0;
+/// Variances of neighbouring bands differ by about this many e-folds.
+const STEP_OF_BANDS: f64 = 1.5;
 /// Steps of L-BFGS.
 const STEPS: u64 = 60;
 /// Gain of log evidence in a step that counts as none.
@@ -201,6 +205,12 @@ impl Evidence<'_> {
             value += 0.5 * away * away;
             gradient[index] += away / WANDER;
         }
+        for &(one, other) in &self.groups.neighbours {
+            let apart = (point[other] - point[one]) / STEP_OF_BANDS;
+            value += 0.5 * apart * apart;
+            gradient[other] += apart / STEP_OF_BANDS;
+            gradient[one] -= apart / STEP_OF_BANDS;
+        }
         Some((value, gradient))
     }
 }
@@ -237,7 +247,7 @@ mod tests {
         let weights = DVector::from_fn(45, |index, _| [1.0, 0.2, 0.0][index / 15] * normal());
         let y = &a * weights + DVector::from_fn(rows, |_, _| 0.5 * normal());
         let of = (0..45).map(|index| [None, Some(0), Some(1)][index / 15]).collect();
-        (a, y, Groups { of, count: 2 })
+        (a, y, Groups { of, count: 2, neighbours: vec![(0, 1)] })
     }
 
     #[test]
