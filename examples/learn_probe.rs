@@ -84,7 +84,12 @@ fn main() {
     let t = Instant::now();
     let found = identify::identify(&idp, state0.clone(), &sel.free, false).unwrap();
     let est = found.estimate;
-    println!("identified in {:?}, excluded {}, sigma {:.4}", t.elapsed(), found.excluded.len(), est.spread.sigma_m * 1e3);
+    println!(
+        "identified in {:?}, excluded {}, sigma {:.4}",
+        t.elapsed(),
+        found.excluded.len(),
+        est.spread.sigma_m * 1e3
+    );
     println!("ident {} | val {}", figures(&est.fit.state, &idp), figures(&est.fit.state, &val));
     let t = Instant::now();
     let s = samples::Samples::new(&est.problem, &est.fit.state, &sel.free).unwrap();

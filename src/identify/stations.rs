@@ -149,10 +149,10 @@ pub fn moved(problem: &Problem<'_>, state: &State, own_frame: &[bool]) -> Result
     let lengths = lengths_of(problem, &residuals);
     let firsts = problem.first_rows();
     let mut worst: Option<(usize, f64)> = None;
-    for station in 1..own_frame.len() {
+    for (station, &is_own) in own_frame.iter().enumerate().skip(1) {
         let members: Vec<usize> =
             (0..problem.records.len()).filter(|&index| problem.records[index].station == station).collect();
-        if own_frame[station] || members.len() < FEWEST {
+        if is_own || members.len() < FEWEST {
             continue;
         }
         let points: Vec<Vector3<f64>> =

@@ -47,7 +47,13 @@ impl Regression {
     /// # Arguments
     /// * `unknowns` - those of [`Samples::new`]; with `state` they say where the prior's mean lies
     /// * `fold_of` - fold of each record
-    pub fn new(samples: &Samples<'_>, state: &State, unknowns: &[Unknown], terms: Vec<Term>, fold_of: &[usize]) -> Self {
+    pub fn new(
+        samples: &Samples<'_>,
+        state: &State,
+        unknowns: &[Unknown],
+        terms: Vec<Term>,
+        fold_of: &[usize],
+    ) -> Self {
         let geometry = samples.geometry.ncols();
         let columns = geometry + terms.iter().map(|term| term.sines).sum::<usize>();
         let mut design = DMatrix::zeros(samples.missing.len(), columns);

@@ -22,8 +22,7 @@ pub fn factor(mut a: DMatrix<f64>) -> Option<DMatrix<f64>> {
                 let columns = BLOCK.min(below - stripe);
                 let height = below - stripe;
                 let right = rows.rows(stripe, columns).transpose();
-                let mut rest =
-                    a.view_mut((start + width + stripe, start + width + stripe), (height, columns));
+                let mut rest = a.view_mut((start + width + stripe, start + width + stripe), (height, columns));
                 rest.gemm(-1.0, &rows.rows(stripe, height), &right, 1.0);
             }
             a.view_mut((start + width, start), (below, width)).copy_from(&rows);

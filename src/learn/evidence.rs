@@ -151,8 +151,7 @@ fn solve(moments: &Moments, groups: &Groups, variances: &Variances) -> Option<So
     let mean = cholesky::solve(&factor, &right).component_mul(&scale);
     let quadratic = (moments.square - moments.right.dot(&mean)) / noise;
     let log_determinant = 2.0 * factor.diagonal().iter().map(|entry| entry.ln()).sum::<f64>();
-    let log_evidence =
-        -0.5 * (moments.rows * (2.0 * std::f64::consts::PI * noise).ln() + log_determinant + quadratic);
+    let log_evidence = -0.5 * (moments.rows * (2.0 * std::f64::consts::PI * noise).ln() + log_determinant + quadratic);
     log_evidence.is_finite().then_some(Solved { scale, factor, mean, log_evidence })
 }
 
@@ -195,8 +194,8 @@ impl Evidence<'_> {
             }
         }
         let moments = self.moments;
-        let misfit = moments.square - 2.0 * moments.right.dot(&solved.mean)
-            + solved.mean.dot(&(&moments.gram * &solved.mean));
+        let misfit =
+            moments.square - 2.0 * moments.right.dot(&solved.mean) + solved.mean.dot(&(&moments.gram * &solved.mean));
         let noise = self.groups.count;
         gradient[noise] -= 0.5 * (determined - moments.rows + misfit / variances.noise);
         let mut value = -solved.log_evidence;
@@ -284,7 +283,11 @@ mod tests {
                 evidence.evaluate(&moved).expect("finite").0
             };
             let slope = (value(1e-5) - value(-1e-5)) / 2e-5;
-            assert!((gradient[index] - slope).abs() < 1e-5 * (1.0 + slope.abs()), "{index}: {} {slope}", gradient[index]);
+            assert!(
+                (gradient[index] - slope).abs() < 1e-5 * (1.0 + slope.abs()),
+                "{index}: {} {slope}",
+                gradient[index]
+            );
         }
     }
 

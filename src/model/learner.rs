@@ -41,9 +41,7 @@ impl Learner {
     /// True when it asks in which sense a joint arrives.
     pub fn depends_on_approach(&self) -> bool {
         match self {
-            Learner::Network(network) => {
-                network.features.iter().any(|feature| matches!(feature, Feature::Approach(_)))
-            }
+            Learner::Network(network) => network.features.iter().any(|feature| matches!(feature, Feature::Approach(_))),
             Learner::Curves(curves) => curves.curves.iter().any(|curve| curve.sense_of.is_some()),
         }
     }

@@ -6,6 +6,7 @@ pub mod chain;
 pub mod conditions;
 pub mod curves;
 pub mod effect;
+mod equilibrium;
 #[cfg(test)]
 pub(crate) mod fixture;
 pub mod inertia;

@@ -8,6 +8,8 @@ use nom::{IResult, Parser};
 
 use crate::base::text::Span;
 
+use super::decimal::Decimal;
+
 /// A number in the text of a program, or a place where one may be inserted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NumberField {
@@ -112,15 +114,12 @@ fn decimals_of(text: &[u8]) -> usize {
     usize::try_from((places as i64).saturating_sub(shift)).unwrap_or(0).min(17)
 }
 
-/// `value` with `decimals` digits after the point, in the style of `field`: a leading `+` stays, a negative zero is
-/// written without its sign, a fixed column keeps its width where the digits fit.
+/// `decimal` in the style of `field`: a leading `+` stays, a negative zero is written without its sign, a fixed column
+/// keeps its width where the digits fit.
 ///
 /// Returns the range to replace (the column where there is one) and the text.
-pub fn written(field: &NumberField, original: &[u8], value: f64, decimals: usize) -> (Span, String) {
-    let mut text = format!("{value:.decimals$}");
-    if text.starts_with('-') && text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.')) {
-        text.remove(0);
-    }
+pub fn written(field: &NumberField, original: &[u8], decimal: &Decimal) -> (Span, String) {
+    let mut text = decimal.text();
     if original.first() == Some(&b'+') && !text.starts_with('-') {
         text.insert(0, '+');
     }
@@ -165,13 +164,13 @@ mod tests {
     #[test]
     fn numbers_are_written_in_the_style_of_their_field() {
         let plain = field("-12.34");
-        assert_eq!(written(&plain, b"-12.34", -0.00001, 3).1, "0.000");
-        assert_eq!(written(&plain, b"+12.34", 1.5, 2).1, "+1.50");
+        assert_eq!(written(&plain, b"-12.34", &Decimal::nearest(-0.00001, 3)).1, "0.000");
+        assert_eq!(written(&plain, b"+12.34", &Decimal::nearest(1.5, 2)).1, "+1.50");
         let column = NumberField { column: Some(Span::new(0, 9)), ..field("1.5") };
-        assert_eq!(written(&column, b"1.5", 2.25, 3), (Span::new(0, 9), "    2.250".into()));
+        assert_eq!(written(&column, b"1.5", &Decimal::nearest(2.25, 3)), (Span::new(0, 9), "    2.250".into()));
         let insertion = Some(Box::new(Insertion { before: " x=\"".into(), after: "\"".into() }));
         let absent = NumberField { span: Span::new(7, 7), insertion, ..field("0") };
-        assert_eq!(written(&absent, b"", 2.25, 2), (Span::new(7, 7), " x=\"2.25\"".into()));
+        assert_eq!(written(&absent, b"", &Decimal::nearest(2.25, 2)), (Span::new(7, 7), " x=\"2.25\"".into()));
     }
 
     #[test]

@@ -18,6 +18,7 @@ use super::digits;
 use super::displaced;
 use super::outcome::{Figures, Outcome, TargetOutcome};
 use super::setting::{Obstacle, Setting, Settings};
+use super::singular;
 use super::visits::{Visit, follow, senses};
 
 /// What the caller may ask for.
@@ -218,11 +219,12 @@ impl Work<'_> {
         let is_joint = matches!(self.job.program.targets[index].value, TargetValue::Joint(_));
         let written = if is_joint { setting.target(&forward(nominal_rad)?) } else { visit.written };
         let meant = MeantPose { base_t_flange: setting.meant_flange(&written), conditions };
-        let correction = self.arm.command(&meant, nominal_rad).map_err(|error| Obstacle::refused(error.to_string()))?;
+        let in_words = |error| Obstacle::refused(singular::reason(&error, self.controller, nominal_rad));
+        let correction = self.arm.command(&meant, nominal_rad).map_err(in_words)?;
         // With nothing to correct the target stays the very numbers it was.
         let after =
             if correction.iterations == 0 { written } else { setting.target(&forward(&correction.numbers_rad)?) };
-        let lands_before = self.lands(setting, nominal_rad, conditions)?;
+        let lands_before = setting.landed(&correction.nominal_lands);
         Ok(figures(&correction, *nominal_rad, written, after, lands_before))
     }
 

@@ -8,6 +8,7 @@ mod displaced;
 pub mod outcome;
 pub mod play;
 mod setting;
+mod singular;
 mod visits;
 
 pub use class::{Class, class_by_text};

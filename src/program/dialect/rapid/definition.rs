@@ -56,6 +56,7 @@ fn define<T>(
     let symbol = &job.symbols[index];
     let text = &job.files[symbol.scope.file];
     let name = Program::key(&symbol.display);
+    let name_length = name.len();
     // Modules may each have a local one of the same name: the later ones are filed under their module's number.
     let taken = map.contains_key(&name) || map.contains_key(&format!("{name}{{1}}"));
     let key = if taken { format!("{name}@{}.{index}", symbol.scope.module) } else { name };
@@ -71,7 +72,9 @@ fn define<T>(
     for (label, range) in job.elements(index) {
         add(&label, read(text, &range));
     }
-    keys.0.insert(index, key);
+    // Reports name it as its declaration spells it.
+    let spelled = key.get(name_length..).map(|suffix| format!("{}{suffix}", symbol.display));
+    keys.0.insert(index, spelled.unwrap_or(key));
 }
 
 impl DefinitionKeys {
@@ -92,7 +95,7 @@ impl DefinitionKeys {
                 _ if job.routine(&text.key(start), scope).is_some() => {
                     return Reference::Runtime(format!("`{written}` is a function"));
                 }
-                _ => return named(Program::key(&written)),
+                _ => return named(written),
             },
         };
         let declared = &job.symbols[symbol];
@@ -111,7 +114,7 @@ impl DefinitionKeys {
     }
 
     fn key_of(&self, symbol: usize, written: &str) -> String {
-        self.0.get(&symbol).cloned().unwrap_or_else(|| Program::key(written))
+        self.0.get(&symbol).cloned().unwrap_or_else(|| written.to_owned())
     }
 }
 
