@@ -14,6 +14,11 @@ use super::evidence::{Groups, Moments, Posterior, Variances, maximise, posterior
 use super::samples::Samples;
 use super::term::Term;
 
+/// Steps towards the best variances from all records ...
+const STEPS: u64 = 60;
+/// ... and from there towards those of a fold, whose records are mostly the same.
+const STEPS_OF_FOLD: u64 = 15;
+
 /// A regression of the residuals on geometry and terms, its rows summed up by fold.
 #[derive(Clone, Debug)]
 pub struct Regression {
@@ -109,12 +114,15 @@ impl Regression {
         total
     }
 
-    /// Variances and weights from all folds but one. `None` where numbers are not finite.
-    pub fn fit(&self, without: Option<usize>, start: Option<&Variances>) -> Option<Fitted> {
-        let moments = self.moments_without(without);
-        let start = start.cloned().unwrap_or_else(|| self.start(&moments));
-        let variances = maximise(&moments, &self.groups, &start);
-        let posterior = posterior(&moments, &self.groups, &variances)?;
+    /// Variances and weights from all records. `None` where numbers are not finite.
+    pub fn fit(&self) -> Option<Fitted> {
+        let moments = self.moments_without(None);
+        self.fit_from(&moments, &self.start(&moments), STEPS)
+    }
+
+    fn fit_from(&self, moments: &Moments, start: &Variances, steps: u64) -> Option<Fitted> {
+        let variances = maximise(moments, &self.groups, start, steps);
+        let posterior = posterior(moments, &self.groups, &variances)?;
         Some(Fitted { variances, posterior })
     }
 
@@ -140,29 +148,32 @@ impl Regression {
         Variances { groups: size.iter().map(|&size| share / size.max(f64::MIN_POSITIVE)).collect(), noise: 0.5 * left }
     }
 
-    /// What the weights leave of every record of a fold: whitened residuals, by record.
-    pub fn left_of_fold(&self, fold: usize, mean: &DVector<f64>) -> Vec<(usize, DVector<f64>)> {
-        (0..self.fold_of.len())
-            .filter(|&record| self.fold_of[record] == fold)
-            .map(|record| {
-                let (first, count) = (self.rows[record], self.rows[record + 1] - self.rows[record]);
-                let rows = self.design.rows(first, count);
-                (record, self.missing.rows(first, count) - rows * mean)
-            })
-            .collect()
-    }
-
-    /// Whitened residuals of every record, each from a regression that did not see its fold.
-    pub fn held_out(&self, start: Option<&Variances>) -> Option<Vec<DVector<f64>>> {
+    /// Whitened residuals of every record, each from a regression that did not see its fold. `start`: the variances from
+    /// all records, from where each fold looks for its own.
+    pub fn held_out(&self, start: &Variances) -> Option<Vec<DVector<f64>>> {
         let parts: Option<Vec<_>> = (0..self.folds.len())
             .into_par_iter()
-            .map(|fold| Some(self.left_of_fold(fold, &self.fit(Some(fold), start)?.posterior.mean)))
+            .map(|fold| {
+                let fitted = self.fit_from(&self.moments_without(Some(fold)), start, STEPS_OF_FOLD)?;
+                Some(self.left_of_fold(fold, &fitted.posterior.mean))
+            })
             .collect();
         let mut all = vec![DVector::zeros(0); self.fold_of.len()];
         for (record, left) in parts?.into_iter().flatten() {
             all[record] = left;
         }
         Some(all)
+    }
+
+    /// What the weights leave of every record of a fold.
+    fn left_of_fold(&self, fold: usize, mean: &DVector<f64>) -> Vec<(usize, DVector<f64>)> {
+        (0..self.fold_of.len())
+            .filter(|&record| self.fold_of[record] == fold)
+            .map(|record| {
+                let (first, count) = (self.rows[record], self.rows[record + 1] - self.rows[record]);
+                (record, self.missing.rows(first, count) - self.design.rows(first, count) * mean)
+            })
+            .collect()
     }
 
     /// Moves the geometry of `state` to where the regression has it.
@@ -173,20 +184,30 @@ impl Regression {
         }
     }
 
-    /// The terms as curves.
-    pub fn curves(&self, fitted: &Fitted) -> JointCurves {
-        let mut first = self.geometry;
+    /// The terms as curves, with the uncertainty that they have beside a given geometry. `None` where numbers are not
+    /// finite.
+    pub fn curves(&self, fitted: &Fitted) -> Option<JointCurves> {
+        let learned = self.design.ncols() - self.geometry;
+        let moments = self.moments_without(None);
+        let beside = Moments {
+            gram: moments.gram.view((self.geometry, self.geometry), (learned, learned)).into_owned(),
+            right: moments.right.rows(self.geometry, learned).into_owned(),
+            ..moments
+        };
+        let groups = Groups { of: self.groups.of[self.geometry..].to_vec(), ..self.groups.clone() };
+        let root = posterior(&beside, &groups, &fitted.variances)?.root;
+        let mut first = 0;
         let curves = self
             .terms
             .iter()
             .map(|term| {
-                let weights = fitted.posterior.mean.rows(first, term.sines).into_owned();
-                let root = fitted.posterior.root.columns(first, term.sines);
+                let weights = fitted.posterior.mean.rows(self.geometry + first, term.sines).into_owned();
+                let root = root.columns(first, term.sines).into_owned();
                 first += term.sines;
-                curve(term, &weights, &root.into_owned())
+                curve(term, &weights, &root)
             })
             .collect();
-        JointCurves { curves }
+        Some(JointCurves { curves })
     }
 }
 

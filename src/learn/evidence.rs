@@ -80,8 +80,6 @@ pub struct Posterior {
 const WANDER: f64 = 10.0;
 /// Variances of neighbouring bands differ by about this many e-folds.
 const STEP_OF_BANDS: f64 = 1.5;
-/// Steps of L-BFGS.
-const STEPS: u64 = 60;
 /// Gain of log evidence in a step that counts as none.
 const SETTLED: f64 = 1e-3;
 
@@ -90,13 +88,13 @@ const SETTLED: f64 = 1e-3;
 ///
 /// The evidence and its gradient come from one Cholesky factor of `I + S G S / noise`, `S` the prior standard
 /// deviations; the maximum is found with L-BFGS in the logarithms.
-pub fn maximise(moments: &Moments, groups: &Groups, start: &Variances) -> Variances {
+pub fn maximise(moments: &Moments, groups: &Groups, start: &Variances, steps: u64) -> Variances {
     let origin: Vec<f64> = start.groups.iter().chain([&start.noise]).map(|variance| variance.ln()).collect();
     let problem = Evidence { moments, groups, origin: &origin, last: RefCell::new(None) };
     let solver = LBFGS::new(MoreThuenteLineSearch::new(), 12).with_tolerance_cost(SETTLED);
     let Ok(solver) = solver.and_then(|solver| solver.with_tolerance_grad(1e-2)) else { return start.clone() };
     let run = Executor::new(problem, solver)
-        .configure(|state| state.param(DVector::from_vec(origin.clone())).max_iters(STEPS))
+        .configure(|state| state.param(DVector::from_vec(origin.clone())).max_iters(steps))
         .run();
     // A line search that finds no better point ends the run with an error and the start stands.
     match run.ok().and_then(|result| result.state().get_best_param().cloned()) {
@@ -295,7 +293,7 @@ mod tests {
     fn variances_that_were_put_in_come_out() {
         let (a, y, groups) = sample(400);
         let start = Variances { groups: vec![0.3, 0.3], noise: 1.0 };
-        let found = maximise(&Moments::of(&a, &y), &groups, &start);
+        let found = maximise(&Moments::of(&a, &y), &groups, &start, 60);
         assert!((found.noise / 0.25 - 1.0).abs() < 0.2, "{found:?}");
         assert!((found.groups[0] / 0.04).ln().abs() < 0.9, "{found:?}");
         assert!(found.groups[1] < 2e-3, "{found:?}");
