@@ -234,8 +234,7 @@ pub enum Reference {
     /// The program names none: the robot's own.
     #[default]
     Unnamed,
-    /// A name, to be looked up in the program, then in the cell file, by its [`Program::key`]. Spelled as the program
-    /// declares it, or, without a declaration, as the move has it.
+    /// A name as the program spells it, to be looked up by [`Program::key`] in the program, then in the cell file.
     Named(Arc<str>),
     /// Known only at run time, with the reason.
     Runtime(String),

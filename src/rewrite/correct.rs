@@ -18,8 +18,8 @@ use super::digits;
 use super::displaced;
 use super::outcome::{Figures, Outcome, TargetOutcome};
 use super::setting::{Obstacle, Setting, Settings};
-use super::singular;
 use super::visits::{Visit, follow, senses};
+use super::words;
 
 /// What the caller may ask for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -188,7 +188,10 @@ impl Work<'_> {
         outcomes: &[TargetOutcome],
     ) -> Result<Figures, Obstacle> {
         let setting = self.settings.get(visit.setting).as_ref().map_err(Obstacle::clone)?;
-        let nominal_rad = visit.nominal_rad.clone()?;
+        let nominal_rad = visit.nominal_rad.clone().map_err(|obstacle| {
+            let reason = words::with_travel(obstacle.reason, &self.job.program.targets[index]);
+            Obstacle { reason, ..obstacle }
+        })?;
         let conditions = Conditions { approach, payload: setting.payload, ..Conditions::default() };
         let figures = match &self.job.program.targets[index].value {
             TargetValue::Displaced(displacement) => {
@@ -219,7 +222,7 @@ impl Work<'_> {
         let is_joint = matches!(self.job.program.targets[index].value, TargetValue::Joint(_));
         let written = if is_joint { setting.target(&forward(nominal_rad)?) } else { visit.written };
         let meant = MeantPose { base_t_flange: setting.meant_flange(&written), conditions };
-        let in_words = |error| Obstacle::refused(singular::reason(&error, self.controller, nominal_rad));
+        let in_words = |error| Obstacle::refused(words::no_command(&error, self.controller, nominal_rad));
         let correction = self.arm.command(&meant, nominal_rad).map_err(in_words)?;
         // With nothing to correct the target stays the very numbers it was.
         let after =

@@ -86,11 +86,11 @@ pub fn list(text: &FileText, range: &Range<usize>) -> Option<Vec<Range<usize>>> 
 pub fn number(text: &FileText, range: &Range<usize>) -> Option<NumberField> {
     let first = text.tokens.get(range.start)?;
     match range.len() {
-        1 if first.kind == TokenKind::Number => number_at(text.source.bytes(), first.span.start),
+        1 if first.kind == TokenKind::Number => number_at(text.source.bytes(), first.span().start),
         2 if matches!(first.kind, TokenKind::Symbol(b'-' | b'+')) => {
             let second = text.tokens.get(range.start + 1)?;
-            let joined = second.kind == TokenKind::Number && second.span.start == first.span.end;
-            if joined { number_at(text.source.bytes(), first.span.start) } else { None }
+            let joined = second.kind == TokenKind::Number && second.span().start == first.span().end;
+            if joined { number_at(text.source.bytes(), first.span().start) } else { None }
         }
         _ => None,
     }

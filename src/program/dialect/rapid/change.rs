@@ -235,6 +235,6 @@ pub fn element_at(text: &FileText, at: usize, end: usize) -> Option<String> {
     let close = (at..end.min(at + 16)).find(|&index| text.is_symbol(index, b'}'))?;
     let literal =
         (at + 1..close).all(|index| matches!(text.kind(index), Some(TokenKind::Number | TokenKind::Symbol(b','))));
-    let inner: String = (at + 1..close).map(|index| text.source.text(text.tokens[index].span).into_owned()).collect();
+    let inner: String = (at + 1..close).map(|index| text.source.text(text.tokens[index].span()).into_owned()).collect();
     literal.then(|| format!("{{{inner}}}"))
 }
