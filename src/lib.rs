@@ -48,6 +48,7 @@ pub mod geometry;
 pub mod identify;
 pub mod invert;
 pub mod kinematics;
+pub mod learn;
 pub mod measure;
 pub mod model;
 pub mod program;
