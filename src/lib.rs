@@ -6,6 +6,7 @@ pub mod base;
 pub mod cli;
 pub mod files;
 pub mod geometry;
+pub mod identify;
 pub mod invert;
 pub mod kinematics;
 pub mod measure;
