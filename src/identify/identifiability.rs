@@ -37,7 +37,7 @@ const POSES: usize = 160;
 /// moves the tool by less than this RMS, m. Redundancies of bare geometry are exact and leave 1e-14; where a compliant
 /// arm breaks them only through the load (zero of joint 6 against the tool) they leave 1e-7 and less; a tracker sees
 /// 1e-5.
-const INVISIBLE_M: f64 = 1e-6;
+const INVISIBLE_M: f64 = 5e-6;
 /// Couplings below this part of the strongest are not named.
 const NAMED_COUPLING: f64 = 0.02;
 

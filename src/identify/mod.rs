@@ -7,17 +7,21 @@
 //! [`structure`] (what is left: noise or something unmodelled), [`predict`], [`report`].
 
 pub mod ball;
+pub mod calibrate;
 pub mod estimate;
 pub mod gather;
 pub mod identifiability;
 #[expect(clippy::module_inception, reason = "the module does what its floor is named for")]
 pub mod identify;
 pub mod linear;
+pub mod naming;
 pub mod outlier;
 pub mod place;
 pub mod predict;
 pub mod prior;
 pub mod problem;
+pub mod report;
+pub mod rest;
 pub mod robust;
 pub mod sanity;
 pub mod solve;
@@ -25,4 +29,6 @@ pub mod split;
 pub mod state;
 pub mod stations;
 pub mod structure;
+pub mod summary;
 pub mod unknown;
+pub mod validate;
