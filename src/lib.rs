@@ -4,6 +4,7 @@
 
 pub mod base;
 pub mod cli;
+pub mod diagnose;
 pub mod files;
 pub mod geometry;
 pub mod identify;

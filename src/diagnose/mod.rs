@@ -2,6 +2,7 @@
 
 pub mod baseline;
 pub mod candidate;
+pub mod diagnosis;
 pub mod evidence;
 pub mod fitted;
 pub mod free;
@@ -11,3 +12,5 @@ pub mod rank;
 pub mod regressors;
 pub mod scan;
 pub mod search;
+pub mod statement;
+pub mod updated;

@@ -135,7 +135,7 @@ impl Projection {
         }
         let freedom = (self.rows as f64 - self.free as f64 - roots.len() as f64).max(1.0);
         let variance = (self.cost - explained).max(0.0) / freedom;
-        Gain { explained, rank: roots.len(), values, sigmas: variances.map(|own| (own * variance).sqrt()) }
+        Gain { explained, rank: roots.len(), values, sigmas: variances.map(|own: f64| (own * variance).sqrt()) }
     }
 
     /// Residuals of other data after all that is free is projected out (what priors hold back left aside).
