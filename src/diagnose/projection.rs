@@ -57,8 +57,8 @@ impl Projection {
             }
         }
         let q = stacked.qr().q();
-        let right = &right - &q * (q.transpose() * &right);
-        let right = &right - &q * (q.transpose() * &right);
+        let right = &right - &q * (q.tr_mul(&right));
+        let right = &right - &q * (q.tr_mul(&right));
         Self {
             basis: q.rows(0, rows).into_owned(),
             residuals: right.rows(0, rows).into_owned(),
@@ -71,8 +71,8 @@ impl Projection {
     /// The same with further columns projected out, of which only what is new counts.
     #[must_use]
     pub fn with(&self, columns: &DMatrix<f64>) -> Self {
-        let along = self.basis.transpose() * columns;
-        let gram = scaled(&(columns.transpose() * columns - along.transpose() * &along), columns);
+        let along = self.basis.tr_mul(columns);
+        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
         let (vectors, roots) = own_directions(&gram);
         if roots.is_empty() {
             return self.clone();
@@ -86,12 +86,12 @@ impl Projection {
                 column /= length;
             }
         }
-        let mut fresh = (&unit - &self.basis * (self.basis.transpose() * &unit)) * &vectors;
+        let mut fresh = (&unit - &self.basis * (self.basis.tr_mul(&unit))) * &vectors;
         for (mut column, root) in fresh.column_iter_mut().zip(&roots) {
             column /= *root;
         }
         let fresh = fresh.qr().q();
-        let along = fresh.transpose() * &self.residuals;
+        let along = fresh.tr_mul(&self.residuals);
         let mut basis = DMatrix::zeros(self.rows, self.basis.ncols() + fresh.ncols());
         basis.columns_mut(0, self.basis.ncols()).copy_from(&self.basis);
         basis.columns_mut(self.basis.ncols(), fresh.ncols()).copy_from(&fresh);
@@ -112,8 +112,8 @@ impl Projection {
     /// What these columns explain of other residuals (a permutation, say) in the same projection.
     pub fn gain_of(&self, columns: &DMatrix<f64>, residuals: &DVector<f64>) -> Gain {
         let count = columns.ncols();
-        let along = self.basis.transpose() * columns;
-        let gram = scaled(&(columns.transpose() * columns - along.transpose() * &along), columns);
+        let along = self.basis.tr_mul(columns);
+        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
         let lengths: Vec<f64> = columns.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
         let slope = DVector::from_iterator(
             count,
@@ -140,14 +140,14 @@ impl Projection {
 
     /// Residuals of other data after all that is free is projected out (what priors hold back left aside).
     pub fn projected(&self, residuals: &DVector<f64>) -> DVector<f64> {
-        residuals - &self.basis * (self.basis.transpose() * residuals)
+        residuals - &self.basis * (self.basis.tr_mul(residuals))
     }
 
     /// How much of the direction in which `one` (columns and their values) moves the records can be had by `other`:
     /// cosine of the angle between it and the other's columns, both beyond what is free.
     pub fn cosine(&self, one: &DMatrix<f64>, values: &DVector<f64>, other: &DMatrix<f64>) -> f64 {
         let moved = one * values;
-        let own = &moved - &self.basis * (self.basis.transpose() * &moved);
+        let own = &moved - &self.basis * (self.basis.tr_mul(&moved));
         let length_squared = moved.dot(&own);
         if length_squared <= 0.0 {
             return 0.0;

@@ -12,6 +12,9 @@ use super::projection::{Gain, Projection};
 use super::regressors::Regressors;
 use super::scan;
 
+/// Differences of evidence that count as none.
+const EQUAL: f64 = 0.02;
+
 /// A cause with or without a name.
 #[derive(Clone, Debug)]
 pub enum Cause {
@@ -49,7 +52,7 @@ pub struct Ranked<'s> {
 /// [`NoPose`] when the model cannot place a record.
 pub fn suspects(regressors: &Regressors<'_, '_>) -> Result<Vec<Suspect>, NoPose> {
     let named = candidates(regressors.model(), regressors.problem);
-    let columns = regressors.exact(&named)?;
+    let columns = regressors.columns(&named)?;
     let mut all: Vec<Suspect> = named
         .into_iter()
         .zip(columns)
@@ -95,7 +98,8 @@ pub fn rank<'s>(suspects: &'s [Suspect], projection: &Projection) -> Vec<Ranked<
             (believable && gain.rank > 0).then_some(Ranked { suspect, gain, evidence })
         })
         .collect();
-    all.sort_by(|a, b| a.evidence.total_cmp(&b.evidence));
+    // Equal ones stay in the order of the registry: differences below this are rounding.
+    all.sort_by_key(|ranked| (ranked.evidence / EQUAL).round() as i64);
     all
 }
 

@@ -24,6 +24,8 @@ const TRIES: usize = 6;
 const CONTENDERS: usize = 3;
 /// Exchanges of one cause for a better one.
 const MOST_EXCHANGES: usize = 4;
+/// Differences of evidence between full fits that count as none.
+const EQUAL: f64 = 0.05;
 /// Shuffles of the records.
 const SHUFFLES: usize = 99;
 /// Part of the shuffles that may explain as much.
@@ -138,7 +140,7 @@ impl<'a> Found<'a> {
                     }
                 }
             };
-            if evidence < 0.0 && best.as_ref().is_none_or(|(least, ..)| evidence < *least) {
+            if evidence < 0.0 && best.as_ref().is_none_or(|(least, ..)| evidence < *least - EQUAL) {
                 best = Some((evidence, index, terms));
             }
         }
