@@ -42,8 +42,8 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     let diagnosis = diagnose(&model.arm, &recordings, args.seed)?;
     let report = DiagnosisReport::new(&diagnosis);
     if let Some(path) = &args.output {
-        let text = calibration::write(&updated(&diagnosis, &recordings))
-            .map_err(|error| Failure::Usage(error.to_string()))?;
+        let text =
+            calibration::write(&updated(&diagnosis, &recordings)).map_err(|error| Failure::Usage(error.to_string()))?;
         output::write(path, text.as_bytes())?;
     }
     if let Some(path) = &args.json {

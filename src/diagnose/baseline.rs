@@ -1,7 +1,7 @@
 //! What a diagnosis starts from: the model as given, refitted, gross errors set aside.
 
 use crate::identify::calibrate::Refusal;
-use crate::measure::observation::Observation;
+use crate::measure::observation::{Observation, SetName};
 use crate::measure::recording::Recording;
 use crate::model::arm::ArmModel;
 
@@ -50,7 +50,9 @@ impl<'a> Baseline<'a> {
 /// [`Refusal`], as for a calibration.
 pub fn baseline<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) -> Result<Baseline<'a>, Refusal> {
     let given = without_silent_effects(given);
-    let Gathered { entries, left_out } = gather(&given, recordings);
+    let Gathered { mut entries, left_out } = gather(&given, recordings);
+    // Records set apart for validation are nobody's to learn from.
+    entries.retain(|entry| entry.observation.set != Some(SetName::Validate));
     if entries.len() < FEWEST_RECORDS {
         return Err(Refusal::TooFewRecords { measured: entries.len() });
     }
@@ -90,12 +92,7 @@ fn without_silent_effects(given: &ArmModel) -> ArmModel {
     model
 }
 
-fn free_unknowns(
-    problem: &Problem<'_>,
-    state: &State,
-    own_frame: &[bool],
-    seed: u64,
-) -> Result<Vec<Unknown>, Refusal> {
+fn free_unknowns(problem: &Problem<'_>, state: &State, own_frame: &[bool], seed: u64) -> Result<Vec<Unknown>, Refusal> {
     let with_rotation = problem.records.iter().any(|record| record.measured.rotation.is_some());
     let torque = problem.largest_torque_nm(state);
     let mut unknowns: Vec<Unknown> = model_ids(&state.model, Scope::Everything, with_rotation)

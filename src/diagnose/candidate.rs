@@ -85,9 +85,10 @@ pub fn is_told(effect: &dyn Effect, model: &ArmModel, problem: &Problem<'_>) -> 
 /// A spring that is not straight has a straight part as well, which the model may lack too.
 fn companion(effect: &dyn Effect, location: &Location, model: &ArmModel) -> Option<EffectInstance> {
     let bent = effect.meta().id == "joint_stiffening";
-    let known = model.effects.iter().any(|known| {
-        known.effect.meta().id == JOINT_COMPLIANCE.meta().id && known.location.joint == location.joint
-    });
+    let known = model
+        .effects
+        .iter()
+        .any(|known| known.effect.meta().id == JOINT_COMPLIANCE.meta().id && known.location.joint == location.joint);
     (bent && !known).then_some(EffectInstance { effect: JOINT_COMPLIANCE, location: *location })
 }
 
@@ -100,9 +101,7 @@ fn places_of(place: Place, model: &ArmModel) -> Vec<Location> {
         Place::JointOrder => joints()
             .flat_map(|at| (1..=LOW_ORDERS).map(move |order| Location { order: Some(order as f64), ..at }))
             .collect(),
-        Place::JointOwnOrder => {
-            joints().flat_map(|at| WOBBLE_ORDERS.map(|order| Location { order, ..at })).collect()
-        }
+        Place::JointOwnOrder => joints().flat_map(|at| WOBBLE_ORDERS.map(|order| Location { order, ..at })).collect(),
         Place::JointPair => joints()
             .flat_map(|at| (1..=DOF).map(move |source| Location { source_joint: Some(source), ..at }))
             .filter(|at| at.joint != at.source_joint)

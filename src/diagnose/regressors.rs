@@ -3,10 +3,10 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
+use crate::geometry::real::DUAL_WIDTH;
 use crate::identify::problem::{NoPose, Problem, Record};
 use crate::identify::state::State;
 use crate::identify::unknown::{Prior, Unknown, UnknownId};
-use crate::geometry::real::DUAL_WIDTH;
 use crate::model::arm::{ArmModel, ArmState, EffectInstance};
 use crate::model::effect::{Context, EFFECTS, Location, Place, Response, Setting};
 use crate::model::parameters::{ParameterId, RowQuantity};
@@ -149,7 +149,12 @@ impl<'a, 'p> Regressors<'a, 'p> {
             let setting = Setting { robot, conditions, actuators_rad: &stand.actuators_rad };
             instance.effect.load_plain(&instance.location, &steps, &setting, &mut load);
             let mut response = Response::none();
-            instance.effect.respond_plain(&instance.location, &steps, &self.context(record, stand, &declared), &mut response);
+            instance.effect.respond_plain(
+                &instance.location,
+                &steps,
+                &self.context(record, stand, &declared),
+                &mut response,
+            );
             let unchanged = load.gravity_m_s2 == declared.gravity_m_s2
                 && load.payload_kg == declared.payload_kg
                 && load.payload_moment_kg_m == declared.payload_moment_kg_m
@@ -214,7 +219,12 @@ impl<'a, 'p> Regressors<'a, 'p> {
         columns
     }
 
-    fn context<'c>(&'c self, record: &'c Record<'_>, stand: &'c ArmState<f64>, load: &'c Load<f64>) -> Context<'c, f64> {
+    fn context<'c>(
+        &'c self,
+        record: &'c Record<'_>,
+        stand: &'c ArmState<f64>,
+        load: &'c Load<f64>,
+    ) -> Context<'c, f64> {
         Context {
             robot: &self.state.model.robot,
             largest_torque_nm: &self.largest_torque_nm,

@@ -61,7 +61,8 @@ fn best_order(
     // Independent lines: two for each revolution of the range and whole order, on six joints.
     let places = DOF as f64 * (2.0 * HIGHEST_ORDER * range).max(1.0);
     let rows = projection.rows;
-    let worth = |explained: f64, chosen: usize| evidence::penalised(explained, projection.cost, rows, 2 + chosen, places);
+    let worth =
+        |explained: f64, chosen: usize| evidence::penalised(explained, projection.cost, rows, 2 + chosen, places);
     let whole = found.round().max(1.0);
     let (order, chosen_constants) =
         if worth(explained(whole), 0) <= worth(explained(found), 1) { (whole, 0) } else { (rounded(found), 1) };
@@ -87,8 +88,10 @@ pub fn moments(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<
     let places = (FRAMES.len() * between.len()) as f64;
     let mut found = Vec::new();
     for frame in FRAMES {
-        let instance =
-            |at_s: f64| EffectInstance { effect, location: Location { frame: Some(frame), at_s: Some(at_s), ..Location::default() } };
+        let instance = |at_s: f64| EffectInstance {
+            effect,
+            location: Location { frame: Some(frame), at_s: Some(at_s), ..Location::default() },
+        };
         let best_of = |indices: Vec<usize>| {
             indices
                 .into_par_iter()

@@ -10,7 +10,7 @@ use crate::measure::recording::Kind;
 use super::candidate::Candidate;
 use super::evidence::{self, DECIDES, SMALLEST_PART};
 use super::fitted::{Fitted, Ground};
-use super::free::FreeFunction;
+use super::free::{FreeFunction, free_functions};
 use super::hold_out::{Blocks, fall_in_errors};
 use super::projection::Projection;
 use super::rank::{Cause, Ranked, Suspect, rank, searched, suspects};
@@ -217,11 +217,36 @@ impl<'a> Found<'a> {
                     idlest = Some((term, evidence));
                 }
             }
-            let Some((term, _)) = idlest else { return Ok(()) };
+            let Some((term, _)) = idlest else { return self.drop_idle_free() };
             let mut terms = self.fitted.terms.clone();
             terms.remove(term);
             self.fitted = ground.fit(&terms)?;
         }
+    }
+
+    /// The same for unnamed causes: a name found later may have made them idle.
+    fn drop_idle_free(&mut self) -> Result<(), NoPose> {
+        if self.free.is_empty() {
+            return Ok(());
+        }
+        let estimate = self.fitted.estimate.clone();
+        let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
+        let looked_at = evidence::looked_at(free_functions(&regressors).len() as f64);
+        let mut index = 0;
+        while index < self.free.len() {
+            let others = self.free.iter().enumerate().filter(|(other, _)| *other != index);
+            let projection = others.fold(self.fitted.projection(None), |projection, (_, free)| {
+                projection.with(&free.columns(&regressors))
+            });
+            let gain = projection.gain(&self.free[index].columns(&regressors));
+            let evidence = evidence::penalised(gain.explained, projection.cost, projection.rows, gain.rank, looked_at);
+            if evidence >= 0.0 {
+                self.free.remove(index);
+            } else {
+                index += 1;
+            }
+        }
+        Ok(())
     }
 
     /// Evidence against a found cause given all others, and the projection without it.

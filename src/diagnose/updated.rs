@@ -23,8 +23,11 @@ pub fn updated(diagnosis: &Diagnosis<'_>, recordings: &[Recording]) -> Calibrati
         .collect();
     let rows: Vec<usize> = of_model.iter().map(|(index, _)| *index).collect();
     let root = fit.covariance_root.select_rows(&rows);
-    let has_frame =
-        |station: usize| fit.unknowns.iter().any(|unknown| matches!(unknown.id, UnknownId::Station { station: own, .. } if own == station));
+    let has_frame = |station: usize| {
+        fit.unknowns
+            .iter()
+            .any(|unknown| matches!(unknown.id, UnknownId::Station { station: own, .. } if own == station))
+    };
     Calibration {
         arm: fit.state.model.clone(),
         sigma: Vec::new(),
