@@ -43,6 +43,7 @@
 
 pub mod base;
 pub mod cli;
+pub mod diagnose;
 pub mod files;
 pub mod geometry;
 pub mod identify;
