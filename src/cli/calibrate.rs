@@ -43,6 +43,9 @@ pub struct Args {
     /// Learn nothing beyond the named physics
     #[arg(long)]
     no_learner: bool,
+    /// The paper's pipeline: geometry and compliance from identification records, a plain network from training records
+    #[arg(long, conflicts_with = "no_learner")]
+    paper: bool,
     /// Seed of everything that is drawn
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -61,7 +64,7 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     let options = Options {
         seed: args.seed,
         sigma_m: args.sigma_mm.map(crate::base::units::m_from_mm),
-        refit_with_training: !args.identify_only,
+        refit_with_training: !args.identify_only && !args.paper,
     };
     let mut tell = |step: &str| {
         if console.is_terminal() {
@@ -70,7 +73,10 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     };
     let mut outcome = calibrate(&ArmModel::nominal(robot), &recordings, &options, &mut tell)?;
     let mut learned = None;
-    if !args.no_learner {
+    if args.paper {
+        tell("training the network");
+        learn::calibration::add_paper_network(&mut outcome, args.seed).map_err(Refusal::from)?;
+    } else if !args.no_learner {
         tell("learning what the physics leaves");
         learned = Some(learn::calibration::add(&mut outcome, args.seed).map_err(Refusal::from)?);
     }

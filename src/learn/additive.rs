@@ -19,6 +19,9 @@ const STEPS: u64 = 60;
 /// ... and from there towards those of a fold, whose records are mostly the same.
 const STEPS_OF_FOLD: u64 = 15;
 
+/// Leverage beyond which a row is its own only witness.
+const MOST_LEVERAGE: f64 = 0.95;
+
 /// A regression of the residuals on geometry and terms, its rows summed up by fold.
 #[derive(Clone, Debug)]
 pub struct Regression {
@@ -174,6 +177,18 @@ impl Regression {
                 (record, self.missing.rows(first, count) - self.design.rows(first, count) * mean)
             })
             .collect()
+    }
+
+    /// Variance of what a regression without a row would predict for it, whitened: `v / (1 - v/noise)` with `v` that of
+    /// the regression with it.
+    pub fn predicted_variance(&self, fitted: &Fitted) -> DVector<f64> {
+        let spread = &self.design * fitted.posterior.root.transpose();
+        let noise = fitted.variances.noise;
+        let rows = spread.row_iter().map(|row| {
+            let variance = row.norm_squared();
+            variance / (1.0 - (variance / noise).min(MOST_LEVERAGE))
+        });
+        DVector::from_iterator(self.design.nrows(), rows)
     }
 
     /// Moves the geometry of `state` to where the regression has it.

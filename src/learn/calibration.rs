@@ -10,6 +10,7 @@ use crate::identify::state::State;
 use crate::model::learner::Learner;
 
 use super::choose::{Learned, learn};
+use super::paper::train;
 use super::samples::Samples;
 
 /// Name of the stage.
@@ -40,6 +41,27 @@ pub fn add(outcome: &mut Outcome<'_>, seed: u64) -> Result<Learned, NoPose> {
     Ok(learned)
 }
 
+/// Adds the network of the paper instead: learned on the training records alone, whatever it is worth.
+///
+/// The delivered model is the last stage, identified on the identification records alone, with the network.
+///
+/// # Errors
+/// [`NoPose`] when a model cannot place a record.
+pub fn add_paper_network(outcome: &mut Outcome<'_>, seed: u64) -> Result<(), NoPose> {
+    let records: Vec<usize> = outcome.split.train.iter().copied().filter(|&index| outcome.sound[index]).collect();
+    let problem = outcome.problem.subset(&records);
+    let with_network = |mut state: State| {
+        state.model.learner = Some(train(&problem, &state, seed)?.into());
+        Ok(state)
+    };
+    // The delivered model may have seen the validation records: the stage must not.
+    let identified = outcome.stages.last().map_or(&outcome.delivered.fit.state, |last| &last.state).clone();
+    let free = outcome.delivered.fit.unknowns.len();
+    outcome.stages.push(StageState { name: "network", free, state: with_network(identified)? });
+    outcome.delivered.fit.state = with_network(outcome.delivered.fit.state.clone())?;
+    Ok(())
+}
+
 /// Puts the learner into the delivered estimate.
 fn deliver(outcome: &mut Outcome<'_>, learned: &Learned) -> Result<(), NoPose> {
     let Some(mut state) = learned.state.clone() else { return Ok(()) };
@@ -63,8 +85,8 @@ fn deliver(outcome: &mut Outcome<'_>, learned: &Learned) -> Result<(), NoPose> {
     Ok(())
 }
 
-/// Scales the uncertainty of the curves so that, over the records, it accounts for what held-out records missed by more
-/// than noise. The curves' own uncertainties are marginal: taken as independent they do not add up to the error.
+/// Scales the uncertainty of the curves so that, over the records, it adds up to that of the whole regression. The
+/// curves' own uncertainties are marginal; two that turn parallel axes share an error and undo it.
 fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, learned: &Learned) -> Result<(), NoPose> {
     let samples = Samples::new(problem, state, &[])?;
     let Some(Learner::Curves(curves)) = &mut state.model.learner else { return Ok(()) };
@@ -80,11 +102,8 @@ fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, learned: &Lea
         }
     }
     claimed_m2 /= samples.count().max(1) as f64;
-    let typical_m = problem.records.first().map_or(0.0, |record| record.sigma_m);
-    let noise_m2 = 3.0 * (learned.noise_scale * typical_m).powi(2);
-    let held_out_m2 = learned.candidates.get(learned.chosen).map_or(0.0, |one| (one.heldout_rms_mm * 1e-3).powi(2));
     if claimed_m2 > 0.0 {
-        let factor = ((held_out_m2 - noise_m2).max(0.0) / claimed_m2).sqrt();
+        let factor = (learned.error_m2 / claimed_m2).sqrt();
         for sigma in curves.curves.iter_mut().flat_map(|curve| &mut curve.sigma_rad) {
             *sigma = (*sigma * factor * 1e11).round() / 1e11;
         }

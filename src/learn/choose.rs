@@ -52,6 +52,9 @@ pub struct Learned {
     pub noise_scale: f64,
     /// Degrees of freedom behind that.
     pub freedom: f64,
+    /// Mean square of the error that the learner itself is expected to make in a pose like the records', beside that of
+    /// the geometry, m^2.
+    pub error_m2: f64,
 }
 
 fn name(family: Family) -> &'static str {
@@ -105,6 +108,7 @@ pub fn learn(
         state: None,
         noise_scale: 1.0,
         freedom: samples.missing.len() as f64,
+        error_m2: 0.0,
     };
     if let Some((_, regression, fitted)) = tried.get(chosen).filter(|_| chosen > 0) {
         let mut moved = state.clone();
@@ -112,6 +116,14 @@ pub fn learn(
         moved.model.learner = regression.curves(fitted).map(Into::into);
         learned.noise_scale = fitted.variances.noise.sqrt();
         learned.freedom -= fitted.posterior.determined;
+        // Geometry has its own share in this, about one noise variance for each of its numbers.
+        let learnt = 1.0 - (regression.geometry as f64 / fitted.posterior.determined).min(1.0);
+        let variance = regression.predicted_variance(fitted);
+        let squares = sigmas_m.iter().enumerate().map(|(record, sigma_m)| {
+            let rows = samples.rows_of(record);
+            variance.rows(rows.start, rows.len().min(3)).sum() * sigma_m * sigma_m
+        });
+        learned.error_m2 = learnt * squares.sum::<f64>() / samples.count() as f64;
         learned.state = Some(moved);
     }
     Ok(learned)
