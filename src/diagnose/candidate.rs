@@ -4,6 +4,7 @@ use crate::identify::problem::Problem;
 use crate::model::arm::{ArmModel, EffectInstance};
 use crate::model::effect::{EFFECTS, Effect, JOINT_COMPLIANCE, Location, MovingFrame, Place};
 use crate::model::robot::DOF;
+use crate::model::statics::largest_torque_nm;
 
 /// A named cause that the model does not have.
 #[derive(Clone, Debug)]
@@ -34,7 +35,7 @@ impl Candidate {
 
     /// True when both say the same: the same effect in the same place, orders as good as equal.
     pub fn same_as(&self, other: &Candidate) -> bool {
-        let bare = |location: &Location| Location { order: None, at_s: None, ..*location };
+        let bare = |location: &Location| Location { order: None, at_s: None, reference: None, ..*location };
         let near = |a: Option<f64>, b: Option<f64>, within: f64| match (a, b) {
             (Some(a), Some(b)) => (a - b).abs() < within,
             (a, b) => a.is_none() == b.is_none(),
@@ -50,6 +51,8 @@ const ORDER_APART: f64 = 0.5;
 const LOW_ORDERS: usize = 12;
 /// Orders at which an axis may tilt (once is geometry).
 const WOBBLE_ORDERS: [Option<f64>; 3] = [None, Some(3.0), Some(4.0)];
+/// Shares of a joint's largest torque that its friction may hold, by factors of two about the usual one.
+const HELD_SHARES: [f64; 6] = [0.0075, 0.015, 0.06, 0.12, 0.24, 0.48];
 /// Part of the records that must tell what an effect needs.
 const NEEDED_PART: f64 = 0.5;
 
@@ -63,11 +66,17 @@ pub fn candidates(model: &ArmModel, problem: &Problem<'_>) -> Vec<Candidate> {
         let places: Vec<Location> = places_of(effect.meta().place, model);
         let count = places.len() as f64;
         let known = |location: &Location| {
-            model.effects.iter().any(|known| known.effect.meta().id == effect.meta().id && known.location == *location)
+            let at = |known: &EffectInstance| Location { reference: location.reference, ..known.location };
+            model.effects.iter().any(|known| known.effect.meta().id == effect.meta().id && at(known) == *location)
         };
         for location in places.into_iter().filter(|location| !known(location)) {
             let mut instances = vec![EffectInstance { effect, location }];
             instances.extend(companion(effect, &location, model));
+            all.extend(held_torques(&instances[0], model).into_iter().map(|held| {
+                let mut instances = instances.clone();
+                instances[0].location.reference = Some(held);
+                Candidate { instances, places: count, chosen_constants: 1 }
+            }));
             all.push(Candidate { instances, places: count, chosen_constants: 0 });
         }
     }
@@ -80,6 +89,13 @@ pub fn is_told(effect: &dyn Effect, model: &ArmModel, problem: &Problem<'_>) -> 
     let telling =
         problem.records.iter().filter(|record| needs.met_by(&model.robot, &record.observation.conditions)).count();
     telling as f64 >= NEEDED_PART * problem.records.len() as f64
+}
+
+/// Friction differs between gears: the torques that a joint with play may hold, Nm, beside the usual one.
+fn held_torques(instance: &EffectInstance, model: &ArmModel) -> Vec<f64> {
+    let joint = instance.location.joint_index().filter(|_| instance.effect.meta().id == "backlash");
+    let largest_nm = joint.map_or(0.0, |joint| largest_torque_nm(&model.robot, joint));
+    if largest_nm > 0.0 { HELD_SHARES.map(|share| share * largest_nm).into() } else { Vec::new() }
 }
 
 /// A spring that is not straight has a straight part as well, which the model may lack too.
