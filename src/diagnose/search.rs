@@ -67,6 +67,9 @@ pub fn search<'a>(ground: &Ground<'a>, kind: Kind, seed: u64) -> Result<Found<'a
     }
 }
 
+/// Which contender won, and its terms where it is a named cause.
+type Choice = (usize, Option<Vec<Candidate>>);
+
 impl<'a> Found<'a> {
     /// What is left beyond everything found, but for one named cause.
     pub fn projection(&self, without: Option<usize>) -> Result<Projection, NoPose> {
@@ -126,7 +129,7 @@ impl<'a> Found<'a> {
         worth: &[&Ranked<'_>],
         contenders: &[usize],
         projection: &Projection,
-    ) -> Result<Option<(usize, Option<Vec<Candidate>>)>, NoPose> {
+    ) -> Result<Option<Choice>, NoPose> {
         let mut best: Option<(f64, usize, Option<Vec<Candidate>>)> = None;
         for &index in contenders {
             let suspect = worth[index].suspect;

@@ -4,7 +4,6 @@ use crate::files::calibration::{Calibration, Provenance, RecordingProvenance, Re
 use crate::identify::unknown::UnknownId;
 use crate::measure::recording::Recording;
 use crate::model::parameters::ParameterId;
-use crate::model::robot::DOF;
 use crate::model::uncertainty::Uncertainty;
 
 use super::diagnosis::Diagnosis;
@@ -76,14 +75,6 @@ fn used(diagnosis: &Diagnosis<'_>, recording: &Recording) -> usize {
 
 /// The box of joint numbers of the records used.
 fn region(diagnosis: &Diagnosis<'_>) -> Option<Region> {
-    let numbers = || diagnosis.estimate.problem.records.iter().map(|record| &record.observation.numbers_rad);
-    let first = numbers().next()?;
-    let mut region = Region { min_rad: *first, max_rad: *first };
-    for joints in numbers() {
-        for joint in 0..DOF {
-            region.min_rad[joint] = region.min_rad[joint].min(joints[joint]);
-            region.max_rad[joint] = region.max_rad[joint].max(joints[joint]);
-        }
-    }
-    Some(region)
+    let numbers = diagnosis.estimate.problem.records.iter().map(|record| &record.observation.numbers_rad);
+    Region::covering(numbers)
 }

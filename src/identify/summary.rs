@@ -171,16 +171,8 @@ fn calibration(outcome: &Outcome<'_>, recordings: &[Recording], left: &Left) -> 
 
 /// The box of joint numbers of the fitted records.
 fn region(outcome: &Outcome<'_>) -> Option<Region> {
-    let numbers = || outcome.fitted.iter().map(|&index| &outcome.entries[index].observation.numbers_rad);
-    let first = numbers().next()?;
-    let mut region = Region { min_rad: *first, max_rad: *first };
-    for joints in numbers() {
-        for (joint, &number) in joints.iter().enumerate() {
-            region.min_rad[joint] = region.min_rad[joint].min(number);
-            region.max_rad[joint] = region.max_rad[joint].max(number);
-        }
-    }
-    Some(region)
+    let numbers = outcome.fitted.iter().map(|&index| &outcome.entries[index].observation.numbers_rad);
+    Region::covering(numbers)
 }
 
 fn recording_report(outcome: &Outcome<'_>, recording: &Recording, index: usize) -> RecordingReport {

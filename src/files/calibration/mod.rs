@@ -71,6 +71,19 @@ pub struct Region {
     pub max_rad: [f64; DOF],
 }
 
+impl Region {
+    /// The smallest box around these joint numbers; `None` around none.
+    pub fn covering<'a>(numbers_rad: impl IntoIterator<Item = &'a [f64; DOF]>) -> Option<Self> {
+        let mut all = numbers_rad.into_iter();
+        let first = *all.next()?;
+        let grow = |region: Self, numbers: &[f64; DOF]| Self {
+            min_rad: std::array::from_fn(|joint| region.min_rad[joint].min(numbers[joint])),
+            max_rad: std::array::from_fn(|joint| region.max_rad[joint].max(numbers[joint])),
+        };
+        Some(all.fold(Self { min_rad: first, max_rad: first }, grow))
+    }
+}
+
 /// Where a model comes from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
