@@ -139,10 +139,13 @@ impl Work<'_> {
             return TargetOutcome::left(class, reason);
         }
         match self.false_target(index, arrivals, outcomes) {
-            Ok(figures) => {
-                TargetOutcome { class: Class::Corrected, reason: both_sides(arrivals), figures: Some(figures) }
-            }
-            Err(obstacle) => TargetOutcome::left(obstacle.class, obstacle.reason),
+            Ok(figures) => TargetOutcome {
+                class: Class::Corrected,
+                reason: both_sides(arrivals),
+                figures: Some(figures),
+                shared: false,
+            },
+            Err(Obstacle { class, reason, shared }) => TargetOutcome { shared, ..TargetOutcome::left(class, reason) },
         }
     }
 
@@ -171,10 +174,11 @@ impl Work<'_> {
         for other in all {
             let (shift, turn) = pose_difference(&other.figures.after, &first.figures.after);
             if shift.norm() > SAME_TARGET || turn.norm() > SAME_TARGET {
-                return Err(Obstacle::refused(format!(
+                let reason = format!(
                     "used with different tools, frames or loads in lines {} and {}: no single value lands for both",
                     first.use_line, other.use_line
-                )));
+                );
+                return Err(Obstacle { shared: true, ..Obstacle::refused(reason) });
             }
         }
         Ok(first.figures)
