@@ -144,6 +144,24 @@ fn finish(
     Fit { state, unknowns: unknowns.to_vec(), residuals, whitened_jacobian, covariance_root, cost, termination }
 }
 
+/// One undamped step on the linear problem whose Jacobian (`plain`, not whitened) is given: the step, the covariance root
+/// and the Jacobian whitened with the records' sigmas.
+pub fn linear_step(
+    problem: &Problem<'_>,
+    state: &State,
+    unknowns: &[Unknown],
+    residuals: &DVector<f64>,
+    plain: &DMatrix<f64>,
+) -> (DVector<f64>, DMatrix<f64>, DMatrix<f64>) {
+    let whitening = problem.whitening();
+    let roots = row_weights(problem, &[]);
+    let mut jacobian = plain.clone();
+    scale_rows(&mut jacobian, &whitening);
+    let (stacked, right) = normal_rows(&jacobian, residuals, &whitening, &roots, state, unknowns);
+    let factor = Factor::new(stacked, &right);
+    (factor.solve(0.0), factor.inverse_root(), jacobian)
+}
+
 /// Square root of each row's weight.
 fn row_weights(problem: &Problem<'_>, weights: &[f64]) -> DVector<f64> {
     let per_row = problem.records.iter().enumerate().flat_map(|(index, record)| {

@@ -175,9 +175,9 @@ fn region(outcome: &Outcome<'_>) -> Option<Region> {
     let first = numbers().next()?;
     let mut region = Region { min_rad: *first, max_rad: *first };
     for joints in numbers() {
-        for joint in 0..DOF {
-            region.min_rad[joint] = region.min_rad[joint].min(joints[joint]);
-            region.max_rad[joint] = region.max_rad[joint].max(joints[joint]);
+        for (joint, &number) in joints.iter().enumerate() {
+            region.min_rad[joint] = region.min_rad[joint].min(number);
+            region.max_rad[joint] = region.max_rad[joint].max(number);
         }
     }
     Some(region)

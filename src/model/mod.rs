@@ -5,6 +5,7 @@ pub mod arm;
 pub mod chain;
 pub mod conditions;
 pub mod effect;
+mod equilibrium;
 #[cfg(test)]
 pub(crate) mod fixture;
 pub mod inertia;
@@ -12,6 +13,7 @@ pub mod jacobian;
 pub mod linkage;
 pub mod network;
 pub mod parameters;
+pub mod ready_network;
 pub mod robot;
 pub mod statics;
 pub mod uncertainty;

@@ -3,6 +3,7 @@
 //!
 //! A dialect never changes text. It says where numbers stand and what they mean; floor 5 decides on edits.
 
+pub mod decimal;
 pub mod dialect;
 pub mod number;
 pub mod scan;

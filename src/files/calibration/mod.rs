@@ -342,13 +342,16 @@ fn fill_geometry(
     Ok(sigma)
 }
 
+/// Parameters with their standard uncertainty.
+type Sigmas = Vec<(ParameterId, f64)>;
+
 /// Puts the effects of a file into the model. Returns the model's index of each, and the sigmas that stand beside the
 /// values.
 fn fill_effects(
     source: &Source,
     arm: &mut ArmModel,
     entries: &[EffectEntry],
-) -> Result<(Vec<usize>, Vec<(ParameterId, f64)>), FileError> {
+) -> Result<(Vec<usize>, Sigmas), FileError> {
     let mut sigma = Vec::new();
     let mut places = Vec::with_capacity(entries.len());
     for (index, entry) in entries.iter().enumerate() {

@@ -92,7 +92,8 @@ impl Job {
                 ));
             }
         }
-        if !ends && !(positions.is_empty() && motions.is_empty()) {
+        let says_something = !positions.is_empty() || !motions.is_empty();
+        if says_something && !ends {
             let end = Span::new(bytes.len(), bytes.len());
             let message = "the job has no END: it may have been cut off";
             program.diagnostics.push(Diagnostic::warning("missing-end", message).at(file, end, "the text stops here"));
