@@ -2,23 +2,23 @@
 
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
-
 use crate::base::diagnostic::{Diagnostic, Severity};
+use crate::base::edit::EditSet;
 use crate::base::text::Source;
 use crate::files::calibration::Calibration;
 use crate::files::cell::Cell;
 use crate::kinematics::controller::Controller;
-use crate::program::dialect::{self, Dialect};
+use crate::program::dialect::Dialect;
 use crate::report::targets::{FileReport, TargetsReport, files};
 use crate::rewrite::class::Class;
 use crate::rewrite::correct::{Job, Options, correct};
 use crate::rewrite::outcome::Outcome;
+use crate::rewrite::split::split;
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
 use super::load::{self, Loaded};
-use super::output;
+use super::{batch, output, tell};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -45,16 +45,20 @@ pub struct Args {
     cell: Option<PathBuf>,
     /// Take the programs as this language instead of telling it from their content
     #[arg(long, value_name = "NAME", value_parser = load::parse_dialect)]
-    dialect: Option<&'static dyn Dialect>,
+    pub(super) dialect: Option<&'static dyn Dialect>,
     /// Write what happened to every target as JSON (falsetarget/targets/1); `-` for standard output
     #[arg(long, value_name = "R.json")]
-    report: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
     /// Correct joint targets too: they are taken to mean the pose that the nominal robot has there
     #[arg(long)]
     joint_targets: bool,
     /// Write the file although some targets are refused; those stay as they are
     #[arg(long)]
-    allow_partial: bool,
+    pub(super) allow_partial: bool,
+    /// Give a target that is used with several tools, frames or loads one declaration for each (RAPID): copies are
+    /// put behind the declaration, and the moves name them
+    #[arg(long)]
+    split_shared: bool,
     /// Refuse targets outside the joint region that the recordings covered
     #[arg(long)]
     inside_only: bool,
@@ -69,15 +73,15 @@ pub struct Args {
     out_dir: Option<PathBuf>,
     /// Number of programs corrected at once [default: one a processor]
     #[arg(long, value_name = "N")]
-    jobs: Option<usize>,
+    pub(super) jobs: Option<usize>,
     /// Programs, or folders with --out-dir
     #[arg(value_name = "PROGRAM")]
-    programs: Vec<PathBuf>,
+    pub(super) programs: Vec<PathBuf>,
 }
 
 /// What every file of a run shares.
-struct Shop<'a> {
-    args: &'a Args,
+pub(super) struct Shop<'a> {
+    pub args: &'a Args,
     calibration: Calibration,
     controller: Controller,
     cell: Cell,
@@ -85,10 +89,10 @@ struct Shop<'a> {
 }
 
 /// A corrected file, not yet written.
-struct Corrected {
-    loaded: Loaded,
-    outcome: Outcome,
-    bytes: Vec<u8>,
+pub(super) struct Corrected {
+    pub loaded: Loaded,
+    pub outcome: Outcome,
+    pub bytes: Vec<u8>,
 }
 
 pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
@@ -97,7 +101,7 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     let controller = Controller::new(&calibration.arm.robot);
     let shop = Shop { args, calibration, controller, cell: load::cell(args.cell.as_deref())?, options };
     match &args.out_dir {
-        Some(out_dir) => many(&shop, out_dir, console),
+        Some(out_dir) => batch::run(&shop, out_dir, console),
         None => one(&shop, console),
     }
 }
@@ -118,17 +122,21 @@ fn one(shop: &Shop<'_>, console: &Console) -> Result<Exit, Failure> {
         _ => return Err(Failure::Usage("several programs need --out-dir".into())),
     };
     let output = shop.args.output.clone().unwrap_or_else(|| PathBuf::from("-"));
-    if let Some(program) = shop.args.programs.first()
-        && same_file(program, &output)
-    {
-        return Err(Failure::Usage(format!("-o {} would overwrite the program itself", output.display())));
+    for path in shop.args.report.iter().chain([&output]) {
+        if shop.args.programs.first().is_some_and(|program| same_file(program, path)) {
+            return Err(Failure::Usage(format!("{} would overwrite the program itself", path.display())));
+        }
+        output::check(path)?;
+    }
+    if shop.args.report.as_ref().is_some_and(|report| report != Path::new("-") && *report == output) {
+        return Err(Failure::Usage("the program and the report cannot both go to one file".into()));
     }
     let both_on_stdout = shop.args.report.as_deref() == Some(Path::new("-")) && output.as_os_str() == "-";
     if both_on_stdout {
         return Err(Failure::Usage("the program and the report cannot both go to standard output".into()));
     }
     let corrected = shop.correct(source)?;
-    tell(console, &corrected);
+    tell::targets(console, &corrected.loaded, &corrected.outcome);
     if let Some(path) = &shop.args.report {
         output::write_json(path, &TargetsReport::new(corrected.reports()))?;
     }
@@ -140,119 +148,17 @@ fn one(shop: &Shop<'_>, console: &Console) -> Result<Exit, Failure> {
     Ok(if corrected.outcome.count(Class::Refused) > 0 { Exit::No } else { Exit::Done })
 }
 
-fn same_file(a: &Path, b: &Path) -> bool {
+/// True when both names lead to the same existing file or folder.
+pub(super) fn same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
-/// One input of a batch and where its output goes.
-struct Item {
-    input: PathBuf,
-    output: PathBuf,
-}
-
-fn many(shop: &Shop<'_>, out_dir: &Path, console: &Console) -> Result<Exit, Failure> {
-    let items = items(&shop.args.programs, out_dir)?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(shop.args.jobs.unwrap_or(0))
-        .build()
-        .map_err(|error| Failure::Usage(format!("--jobs: {error}")))?;
-    let progress = match console.is_terminal() {
-        true => indicatif::ProgressBar::new(items.len() as u64),
-        false => indicatif::ProgressBar::hidden(),
-    };
-    let results: Vec<Result<Option<Vec<FileReport>>, Failure>> = pool.install(|| {
-        items
-            .par_iter()
-            .map(|item| {
-                let result = batch_file(shop, item, console);
-                progress.inc(1);
-                result
-            })
-            .collect()
-    });
-    progress.finish_and_clear();
-    let (mut exit, mut reports, mut skipped) = (Exit::Done, Vec::new(), 0);
-    for result in results {
-        match result {
-            Ok(Some(files)) => reports.extend(files),
-            Ok(None) => skipped += 1,
-            Err(failure) => {
-                console.failure(&failure);
-                exit = Exit::No;
-            }
-        }
-    }
-    let report = TargetsReport::new(reports);
-    let summary = report.summary;
-    console.say(&format!(
-        "{} file(s): {} corrected, {} joint, {} computed, {} refused; {skipped} other file(s) are no robot programs",
-        summary.files, summary.corrected, summary.joint, summary.computed, summary.refused
-    ));
-    if let Some(path) = &shop.args.report {
-        output::write_json(path, &report)?;
-    }
-    Ok(if summary.refused > 0 { exit.max(Exit::No) } else { exit })
-}
-
-/// Corrects and writes one file of a batch; `None` for a file that is no robot program.
-fn batch_file(shop: &Shop<'_>, item: &Item, console: &Console) -> Result<Option<Vec<FileReport>>, Failure> {
-    let source = load::source(&item.input)?;
-    if shop.args.dialect.is_none() && dialect::detect(&source).is_none() {
-        console.say(&format!("{}: no robot program that this tool knows; not copied", item.input.display()));
-        return Ok(None);
-    }
-    let corrected = shop.correct(source)?;
-    tell(console, &corrected);
-    if corrected.outcome.count(Class::Refused) == 0 || shop.args.allow_partial {
-        if let Some(folder) = item.output.parent() {
-            std::fs::create_dir_all(folder).map_err(|error| Failure::file(folder, error))?;
-        }
-        output::write(&item.output, &corrected.bytes)?;
-    }
-    Ok(Some(corrected.reports()))
-}
-
-/// The files of a batch, folders walked, in a stable order.
-fn items(programs: &[PathBuf], out_dir: &Path) -> Result<Vec<Item>, Failure> {
-    if programs.is_empty() {
-        return Err(Failure::Usage("--out-dir needs at least one PROGRAM or folder".into()));
-    }
-    let mut items = Vec::new();
-    for program in programs {
-        if program.is_dir() {
-            if same_file(program, out_dir) {
-                return Err(Failure::Usage(format!("{} is both input and --out-dir", out_dir.display())));
-            }
-            walk(program, out_dir, &mut items)?;
-        } else {
-            let name =
-                program.file_name().ok_or_else(|| Failure::Usage(format!("{} is no file", program.display())))?;
-            items.push(Item { input: program.clone(), output: out_dir.join(name) });
-        }
-    }
-    items.sort_by(|a, b| a.input.cmp(&b.input));
-    if let Some(item) = items.iter().find(|item| same_file(&item.input, &item.output)) {
-        return Err(Failure::Usage(format!("{} would be overwritten", item.input.display())));
-    }
-    Ok(items)
-}
-
-fn walk(folder: &Path, out: &Path, items: &mut Vec<Item>) -> Result<(), Failure> {
-    let entries = std::fs::read_dir(folder).map_err(|error| Failure::file(folder, error))?;
-    for entry in entries {
-        let entry = entry.map_err(|error| Failure::file(folder, error))?;
-        let (path, name) = (entry.path(), entry.file_name());
-        if path.is_dir() {
-            walk(&path, &out.join(&name), items)?;
-        } else {
-            items.push(Item { input: path, output: out.join(&name) });
-        }
-    }
-    Ok(())
-}
-
 impl Shop<'_> {
-    fn correct(&self, source: Source) -> Result<Corrected, Failure> {
+    /// Corrects one program; nothing is written.
+    ///
+    /// # Errors
+    /// [`Failure::Program`] when it holds errors, or numbers in another unit.
+    pub fn correct(&self, source: Source) -> Result<Corrected, Failure> {
         let loaded = load::program(source, self.args.dialect)?;
         let metres = loaded.program.diagnostics.iter().find(|finding| finding.code == "unit-scale");
         if let Some(finding) = metres.filter(|_| !self.args.trust_units) {
@@ -260,80 +166,43 @@ impl Shop<'_> {
                 .help("convert the program to its language's unit; --trust-units takes the numbers as they are");
             return Err(Failure::Program(Box::new(loaded.sources[0].clone()), vec![finding]));
         }
+        let outcome = self.outcome(&loaded);
+        if self.args.split_shared && outcome.targets.iter().any(|target| target.shared) {
+            let edits = split(&loaded.sources, &loaded.program, &outcome);
+            if !edits[0].is_empty() {
+                let with_copies = apply(&loaded, &edits[0])?;
+                let source = Source::new(loaded.sources[0].name(), with_copies);
+                let loaded = load::program(source, Some(loaded.dialect))?;
+                let outcome = self.outcome(&loaded);
+                let bytes = apply(&loaded, &outcome.edits[0])?;
+                return Ok(Corrected { loaded, outcome, bytes });
+            }
+        }
+        let bytes = apply(&loaded, &outcome.edits[0])?;
+        Ok(Corrected { loaded, outcome, bytes })
+    }
+
+    fn outcome(&self, loaded: &Loaded) -> Outcome {
         let job = Job {
             sources: &loaded.sources,
             program: &loaded.program,
             rules: loaded.dialect.meta().numbers,
             cell: &self.cell,
         };
-        let outcome = correct(&job, &self.calibration.arm, &self.controller, &self.options);
-        let bytes = outcome.edits[0].apply(loaded.sources[0].bytes()).map_err(|error| {
-            let diagnostic = Diagnostic::error("edit", error.to_string());
-            Failure::Program(Box::new(loaded.sources[0].clone()), vec![diagnostic])
-        })?;
-        Ok(Corrected { loaded, outcome, bytes })
+        correct(&job, &self.calibration.arm, &self.controller, &self.options)
     }
+}
+
+fn apply(loaded: &Loaded, edits: &EditSet) -> Result<Vec<u8>, Failure> {
+    edits.apply(loaded.sources[0].bytes()).map_err(|error| {
+        let diagnostic = Diagnostic::error("edit", error.to_string());
+        Failure::Program(Box::new(loaded.sources[0].clone()), vec![diagnostic])
+    })
 }
 
 impl Corrected {
-    fn reports(&self) -> Vec<FileReport> {
+    /// What happened to its targets.
+    pub fn reports(&self) -> Vec<FileReport> {
         files(&self.loaded.sources, self.loaded.dialect, &self.loaded.program, Some(&self.outcome))
     }
-}
-
-/// Targets of one kind that are listed one by one; the rest is counted (the report has them all).
-const LISTED: usize = 20;
-
-/// Says on standard error what was found and what was left alone, and why.
-fn tell(console: &Console, corrected: &Corrected) {
-    let Loaded { sources, program, .. } = &corrected.loaded;
-    for diagnostic in &program.diagnostics {
-        console.diagnostic(sources, diagnostic);
-    }
-    let outcome = &corrected.outcome;
-    for (class, code) in [(Class::Refused, "refused"), (Class::Computed, "computed"), (Class::Joint, "joint")] {
-        let of_class = || outcome.targets.iter().zip(&program.targets).filter(move |(result, _)| result.class == class);
-        if class == Class::Joint && of_class().next().is_some() {
-            let count = of_class().count();
-            console.say(&format!("{count} joint target(s) left alone; --joint-targets corrects them"));
-            continue;
-        }
-        for (result, target) in of_class().take(LISTED) {
-            let name = target.name.as_deref().map(|name| format!("`{name}` ")).unwrap_or_default();
-            let reason = result.reason.as_deref().unwrap_or_default();
-            let message = match class {
-                Class::Refused => format!("target {name}refused: {reason}"),
-                _ => format!("target {name}left alone: {reason}"),
-            };
-            let diagnostic = match class {
-                Class::Refused => Diagnostic::error(code, message),
-                _ => Diagnostic::warning(code, message),
-            };
-            console.diagnostic(sources, &diagnostic.at(target.file, target.span, ""));
-        }
-        let more = of_class().count().saturating_sub(LISTED);
-        if more > 0 {
-            console.say(&format!("... and {more} more {code}; --report lists them all"));
-        }
-    }
-    console.say(&summary(sources[0].name(), outcome));
-}
-
-fn summary(name: &str, outcome: &Outcome) -> String {
-    let corrections: Vec<f64> = outcome
-        .targets
-        .iter()
-        .filter_map(|target| target.figures.as_ref())
-        .map(|figures| figures.correction_m)
-        .collect();
-    // An empty sum is -0.0.
-    let mean_mm = (corrections.iter().sum::<f64>() + 0.0) / corrections.len().max(1) as f64 * 1e3;
-    let largest_mm = corrections.iter().copied().fold(0.0, f64::max) * 1e3;
-    format!(
-        "{name}: {} corrected (by {mean_mm:.3} mm in the mean, {largest_mm:.3} mm at most), {} joint, {} computed, {} refused",
-        outcome.count(Class::Corrected),
-        outcome.count(Class::Joint),
-        outcome.count(Class::Computed),
-        outcome.count(Class::Refused)
-    )
 }

@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+mod batch;
 mod calibrate;
 mod console;
 mod correct;
@@ -15,6 +16,7 @@ mod output;
 mod predict;
 mod robots;
 mod simulate;
+mod tell;
 mod validate;
 
 use console::Console;

@@ -5,6 +5,25 @@ use std::path::Path;
 
 use super::exit::Failure;
 
+/// Says beforehand what would be in the way of [`write`]: so that nothing is written when not all can be.
+pub fn check(path: &Path) -> Result<(), Failure> {
+    if path.as_os_str() == "-" {
+        return Ok(());
+    }
+    if path.is_dir() {
+        return Err(Failure::Usage(format!("{} is a directory; name a file", path.display())));
+    }
+    let folder = folder_of(path);
+    if !folder.is_dir() {
+        return Err(Failure::Usage(format!("{}: there is no folder {}", path.display(), folder.display())));
+    }
+    Ok(())
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 /// Writes bytes to a path, or to standard output for `-`.
 ///
 /// A file is written beside its place under another name, flushed to the disk, and renamed.
@@ -12,13 +31,8 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if path.as_os_str() == "-" {
         return print(bytes);
     }
-    if path.is_dir() {
-        return Err(Failure::Usage(format!("{} is a directory; name a file", path.display())));
-    }
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    check(path)?;
+    let folder = folder_of(path);
     let whole = || {
         let mut file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder)?;
         file.write_all(bytes)?;
@@ -27,7 +41,8 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         file.persist(path).map_err(|error| error.error)?;
         Ok(())
     };
-    whole().map_err(|error| Failure::file(path, error))
+    // The kind alone: the name of the temporary file says nothing to the user.
+    whole().map_err(|error: std::io::Error| Failure::file(path, error.kind().into()))
 }
 
 /// A new file gets what the user's mask allows; one that is replaced keeps what it had.

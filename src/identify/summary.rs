@@ -175,9 +175,9 @@ fn region(outcome: &Outcome<'_>) -> Option<Region> {
     let first = numbers().next()?;
     let mut region = Region { min_rad: *first, max_rad: *first };
     for joints in numbers() {
-        for joint in 0..DOF {
-            region.min_rad[joint] = region.min_rad[joint].min(joints[joint]);
-            region.max_rad[joint] = region.max_rad[joint].max(joints[joint]);
+        for (joint, &number) in joints.iter().enumerate() {
+            region.min_rad[joint] = region.min_rad[joint].min(number);
+            region.max_rad[joint] = region.max_rad[joint].max(number);
         }
     }
     Some(region)
@@ -224,7 +224,9 @@ fn stages(outcome: &Outcome<'_>) -> Result<Vec<Stage>, NoPose> {
     let mut all: Vec<Stage> =
         outcome.stages.iter().map(|one| stage(one.name, one.free, &one.state)).collect::<Result<_, _>>()?;
     let refitted_to_validation = split.source == SplitSource::Regions;
-    if !refitted_to_validation && outcome.fitted.len() > split.identify.len() {
+    // A learner's stage has seen the training records too.
+    let learned = outcome.delivered.fit.state.model.learner.is_some();
+    if !learned && !refitted_to_validation && outcome.fitted.len() > split.identify.len() {
         let fit = &outcome.delivered.fit;
         all.push(stage("refitted_with_training", fit.unknowns.len(), &fit.state)?);
     }
