@@ -153,8 +153,12 @@ fn solve(moments: &Moments, groups: &Groups, variances: &Variances) -> Option<So
     log_evidence.is_finite().then_some(Solved { scale, factor, mean, log_evidence })
 }
 
-/// A point, the value there, and the gradient.
-type Evaluated = (DVector<f64>, f64, DVector<f64>);
+/// A point with its value and gradient.
+struct Evaluated {
+    point: DVector<f64>,
+    value: f64,
+    gradient: DVector<f64>,
+}
 
 /// Minus the log evidence over the logarithms of the variances.
 struct Evidence<'a> {
@@ -167,16 +171,14 @@ struct Evidence<'a> {
 
 impl Evidence<'_> {
     fn at(&self, point: &DVector<f64>) -> (f64, DVector<f64>) {
-        if let Some((known, value, gradient)) = &*self.last.borrow()
-            && known == point
-        {
-            return (*value, gradient.clone());
+        if let Some(last) = self.last.borrow().as_ref().filter(|last| last.point == *point) {
+            return (last.value, last.gradient.clone());
         }
         let (value, gradient) = self
             .evaluate(point)
             // A point out of all range: worse than any, and the line search turns back.
             .unwrap_or_else(|| (f64::MAX.sqrt(), DVector::zeros(point.len())));
-        *self.last.borrow_mut() = Some((point.clone(), value, gradient.clone()));
+        *self.last.borrow_mut() = Some(Evaluated { point: point.clone(), value, gradient: gradient.clone() });
         (value, gradient)
     }
 
