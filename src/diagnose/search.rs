@@ -45,6 +45,9 @@ pub struct Found<'a> {
     pub blocks: Blocks,
 }
 
+/// A contender by its place in the ranking, with the named causes that it makes; `None` for one without a name.
+type Choice = (usize, Option<Vec<Candidate>>);
+
 /// Looks for what is missing.
 ///
 /// # Errors
@@ -149,7 +152,7 @@ impl<'a> Found<'a> {
         worth: &[&Ranked<'_>],
         contenders: &[usize],
         projection: &Projection,
-    ) -> Result<Option<(usize, Option<Vec<Candidate>>)>, NoPose> {
+    ) -> Result<Option<Choice>, NoPose> {
         let mut best: Option<(f64, usize, Option<Vec<Candidate>>)> = None;
         for &index in contenders {
             let suspect = worth[index].suspect;

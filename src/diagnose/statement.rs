@@ -20,9 +20,7 @@ pub fn headline(diagnosis: &Diagnosis<'_>) -> String {
             };
             format!("{first}{more} All together: held-out RMS {before:.3} -> {after:.3} mm (noise {noise_mm:.3}).")
         }
-        Verdict::Unexplained => {
-            diagnosis.unexplained.as_ref().map_or_else(String::new, |unexplained| of_unexplained(unexplained))
-        }
+        Verdict::Unexplained => diagnosis.unexplained.as_ref().map_or_else(String::new, of_unexplained),
     }
 }
 

@@ -4,7 +4,6 @@ use crate::files::calibration::{Calibration, Provenance, RecordingProvenance, Re
 use crate::identify::unknown::UnknownId;
 use crate::measure::recording::Recording;
 use crate::model::parameters::ParameterId;
-use crate::model::robot::DOF;
 use crate::model::uncertainty::Uncertainty;
 
 use super::diagnosis::Diagnosis;
@@ -80,9 +79,9 @@ fn region(diagnosis: &Diagnosis<'_>) -> Option<Region> {
     let first = numbers().next()?;
     let mut region = Region { min_rad: *first, max_rad: *first };
     for joints in numbers() {
-        for joint in 0..DOF {
-            region.min_rad[joint] = region.min_rad[joint].min(joints[joint]);
-            region.max_rad[joint] = region.max_rad[joint].max(joints[joint]);
+        for (joint, &number) in joints.iter().enumerate() {
+            region.min_rad[joint] = region.min_rad[joint].min(number);
+            region.max_rad[joint] = region.max_rad[joint].max(number);
         }
     }
     Some(region)
