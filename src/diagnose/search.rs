@@ -45,6 +45,9 @@ pub struct Found<'a> {
     pub blocks: Blocks,
 }
 
+/// A contender by its place in the ranking, with the named causes that it makes; `None` for one without a name.
+type Choice = (usize, Option<Vec<Candidate>>);
+
 /// Looks for what is missing.
 ///
 /// # Errors
