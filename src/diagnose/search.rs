@@ -72,9 +72,6 @@ pub fn search<'a>(ground: &Ground<'a>, kind: Kind, seed: u64) -> Result<Found<'a
     }
 }
 
-/// Which contender won, and its terms where it is a named cause.
-type Choice = (usize, Option<Vec<Candidate>>);
-
 impl<'a> Found<'a> {
     /// What is left beyond everything found, but for one named cause.
     pub fn projection(&self, without: Option<usize>) -> Result<Projection, NoPose> {
