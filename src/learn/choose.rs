@@ -123,13 +123,7 @@ pub fn learn(
             let rows = samples.rows_of(record);
             variance.rows(rows.start, rows.len().min(3)).sum() * sigma_m * sigma_m
         });
-        let predicted_m2 = learnt * squares.sum::<f64>() / samples.count() as f64;
-        // Poses to come lie between two cases: near the records and the model right (predicted), or in a region without
-        // records (held out). Half way.
-        let sigma_m2 = sigmas_m.iter().map(|sigma_m| sigma_m * sigma_m).sum::<f64>() / samples.count() as f64;
-        let missed_m2 =
-            (learned.candidates[chosen].heldout_rms_mm * 1e-3).powi(2) - 3.0 * fitted.variances.noise * sigma_m2;
-        learned.error_m2 = 0.5 * (predicted_m2 + missed_m2.max(predicted_m2));
+        learned.error_m2 = learnt * squares.sum::<f64>() / samples.count() as f64;
         learned.state = Some(moved);
     }
     Ok(learned)

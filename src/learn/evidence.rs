@@ -153,32 +153,27 @@ fn solve(moments: &Moments, groups: &Groups, variances: &Variances) -> Option<So
     log_evidence.is_finite().then_some(Solved { scale, factor, mean, log_evidence })
 }
 
-/// A point with its value and gradient.
-struct Evaluated {
-    point: DVector<f64>,
-    value: f64,
-    gradient: DVector<f64>,
-}
-
 /// Minus the log evidence over the logarithms of the variances.
 struct Evidence<'a> {
     moments: &'a Moments,
     groups: &'a Groups,
     origin: &'a [f64],
     /// The last point with its value and gradient: the solver asks for the two one after the other.
-    last: RefCell<Option<Evaluated>>,
+    last: RefCell<Option<(DVector<f64>, f64, DVector<f64>)>>,
 }
 
 impl Evidence<'_> {
     fn at(&self, point: &DVector<f64>) -> (f64, DVector<f64>) {
-        if let Some(last) = self.last.borrow().as_ref().filter(|last| last.point == *point) {
-            return (last.value, last.gradient.clone());
+        if let Some((known, value, gradient)) = &*self.last.borrow() {
+            if known == point {
+                return (*value, gradient.clone());
+            }
         }
         let (value, gradient) = self
             .evaluate(point)
             // A point out of all range: worse than any, and the line search turns back.
             .unwrap_or_else(|| (f64::MAX.sqrt(), DVector::zeros(point.len())));
-        *self.last.borrow_mut() = Some(Evaluated { point: point.clone(), value, gradient: gradient.clone() });
+        *self.last.borrow_mut() = Some((point.clone(), value, gradient.clone()));
         (value, gradient)
     }
 

@@ -20,13 +20,10 @@ const RATE: f64 = 0.05;
 /// See [`RATE`].
 const MOMENTUM: f64 = 0.9;
 
-/// Every so manieth record is not trained on: where it is met best, training stops.
-const STOPPING: usize = 5;
-
 /// A network on the residuals that a state leaves on the records of a problem.
 ///
 /// Inputs and outputs are standardised; weights start uniform within one over the root of the number of inputs; all
-/// records but those that decide when to stop go into every step.
+/// records go into every step.
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
@@ -90,19 +87,10 @@ fn back_propagate(inputs: &DMatrix<f64>, targets: &DMatrix<f64>, seed: u64) -> L
     let mut first = draw(HIDDEN, inputs.nrows());
     let mut second = draw(targets.nrows(), HIDDEN + 1);
     let (mut step_first, mut step_second) = (first.scale(0.0), second.scale(0.0));
-    let stops: Vec<usize> = (0..inputs.ncols()).step_by(STOPPING).collect();
-    let trains: Vec<usize> = (0..inputs.ncols()).filter(|index| index % STOPPING != 0).collect();
-    let (stop_inputs, stop_targets) = (inputs.select_columns(&stops), targets.select_columns(&stops));
-    let (inputs, targets) = (inputs.select_columns(&trains), targets.select_columns(&trains));
     let share = RATE / inputs.ncols().max(1) as f64;
-    let mut best = (f64::INFINITY, first.clone(), second.clone());
     for _ in 0..EPOCHS {
-        let missed = (&second * hidden(&first, &stop_inputs) - &stop_targets).norm_squared();
-        if missed < best.0 {
-            best = (missed, first.clone(), second.clone());
-        }
         let activation = hidden(&first, &inputs);
-        let error = &second * &activation - &targets;
+        let error = &second * &activation - targets;
         let slope_second = &error * activation.transpose();
         let units = activation.rows(0, HIDDEN);
         let back = second.columns(0, HIDDEN).transpose() * &error;
@@ -112,7 +100,6 @@ fn back_propagate(inputs: &DMatrix<f64>, targets: &DMatrix<f64>, seed: u64) -> L
         first += &step_first;
         second += &step_second;
     }
-    let (_, first, second) = best;
     let split = |matrix: &DMatrix<f64>| -> (Vec<Vec<f64>>, Vec<f64>) {
         let last = matrix.ncols() - 1;
         matrix.row_iter().map(|row| (row.columns(0, last).iter().copied().collect::<Vec<f64>>(), row[last])).unzip()
