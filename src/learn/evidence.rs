@@ -153,21 +153,24 @@ fn solve(moments: &Moments, groups: &Groups, variances: &Variances) -> Option<So
     log_evidence.is_finite().then_some(Solved { scale, factor, mean, log_evidence })
 }
 
+/// A point, the value there, and the gradient.
+type Evaluated = (DVector<f64>, f64, DVector<f64>);
+
 /// Minus the log evidence over the logarithms of the variances.
 struct Evidence<'a> {
     moments: &'a Moments,
     groups: &'a Groups,
     origin: &'a [f64],
     /// The last point with its value and gradient: the solver asks for the two one after the other.
-    last: RefCell<Option<(DVector<f64>, f64, DVector<f64>)>>,
+    last: RefCell<Option<Evaluated>>,
 }
 
 impl Evidence<'_> {
     fn at(&self, point: &DVector<f64>) -> (f64, DVector<f64>) {
-        if let Some((known, value, gradient)) = &*self.last.borrow() {
-            if known == point {
-                return (*value, gradient.clone());
-            }
+        if let Some((known, value, gradient)) = &*self.last.borrow()
+            && known == point
+        {
+            return (*value, gradient.clone());
         }
         let (value, gradient) = self
             .evaluate(point)
