@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::base::diagnostic::{Diagnostic, Severity};
+use crate::base::edit::EditSet;
 use crate::base::text::Source;
 use crate::files::calibration::Calibration;
 use crate::files::cell::Cell;
@@ -12,6 +13,7 @@ use crate::report::targets::{FileReport, TargetsReport, files};
 use crate::rewrite::class::Class;
 use crate::rewrite::correct::{Job, Options, correct};
 use crate::rewrite::outcome::Outcome;
+use crate::rewrite::split::split;
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
@@ -53,6 +55,10 @@ pub struct Args {
     /// Write the file although some targets are refused; those stay as they are
     #[arg(long)]
     pub(super) allow_partial: bool,
+    /// Give a target that is used with several tools, frames or loads one declaration for each (RAPID): copies are
+    /// put behind the declaration, and the moves name them
+    #[arg(long)]
+    split_shared: bool,
     /// Refuse targets outside the joint region that the recordings covered
     #[arg(long)]
     inside_only: bool,
@@ -160,19 +166,38 @@ impl Shop<'_> {
                 .help("convert the program to its language's unit; --trust-units takes the numbers as they are");
             return Err(Failure::Program(Box::new(loaded.sources[0].clone()), vec![finding]));
         }
+        let outcome = self.outcome(&loaded);
+        if self.args.split_shared && outcome.targets.iter().any(|target| target.shared) {
+            let edits = split(&loaded.sources, &loaded.program, &outcome);
+            if !edits[0].is_empty() {
+                let with_copies = apply(&loaded, &edits[0])?;
+                let source = Source::new(loaded.sources[0].name(), with_copies);
+                let loaded = load::program(source, Some(loaded.dialect))?;
+                let outcome = self.outcome(&loaded);
+                let bytes = apply(&loaded, &outcome.edits[0])?;
+                return Ok(Corrected { loaded, outcome, bytes });
+            }
+        }
+        let bytes = apply(&loaded, &outcome.edits[0])?;
+        Ok(Corrected { loaded, outcome, bytes })
+    }
+
+    fn outcome(&self, loaded: &Loaded) -> Outcome {
         let job = Job {
             sources: &loaded.sources,
             program: &loaded.program,
             rules: loaded.dialect.meta().numbers,
             cell: &self.cell,
         };
-        let outcome = correct(&job, &self.calibration.arm, &self.controller, &self.options);
-        let bytes = outcome.edits[0].apply(loaded.sources[0].bytes()).map_err(|error| {
-            let diagnostic = Diagnostic::error("edit", error.to_string());
-            Failure::Program(Box::new(loaded.sources[0].clone()), vec![diagnostic])
-        })?;
-        Ok(Corrected { loaded, outcome, bytes })
+        correct(&job, &self.calibration.arm, &self.controller, &self.options)
     }
+}
+
+fn apply(loaded: &Loaded, edits: &EditSet) -> Result<Vec<u8>, Failure> {
+    edits.apply(loaded.sources[0].bytes()).map_err(|error| {
+        let diagnostic = Diagnostic::error("edit", error.to_string());
+        Failure::Program(Box::new(loaded.sources[0].clone()), vec![diagnostic])
+    })
 }
 
 impl Corrected {

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::real::Real;
 
 use super::conditions::Conditions;
+use super::ready_network::ReadyNetwork;
 use super::robot::DOF;
 
 /// One input of the network. Joints count from one, as in files.
@@ -112,34 +113,15 @@ impl ResidualNetwork {
         Ok(())
     }
 
-    /// The outputs (the first [`Output::count`] of the array) at these actuator angles and loads.
-    pub fn outputs<T: Real>(
-        &self,
-        actuators_rad: &[T; DOF],
-        actuator_torque_nm: &[T; DOF],
-        conditions: &Conditions,
-    ) -> [T; DOF] {
-        let turns = actuators_rad.map(|angle| num_dual::DualNum::sin_cos(&angle));
-        let inputs: Vec<T> = self
-            .features
-            .iter()
-            .zip(self.shift.iter().zip(&self.scale))
-            .map(|(feature, (&shift, &scale))| {
-                let raw = feature.value(actuators_rad, &turns, actuator_torque_nm, conditions);
-                (raw - T::constant(shift)) / T::constant(scale)
-            })
-            .collect();
-        let mut out = [T::zero(); DOF];
-        for member in &self.members {
-            member.add_to(&inputs, &mut out);
-        }
-        let share = T::constant(1.0 / self.members.len().max(1) as f64);
-        out.map(|number| number * share)
+    /// The network laid out for many evaluations.
+    pub fn ready(&self) -> ReadyNetwork {
+        ReadyNetwork::new(self)
     }
 }
 
 impl Feature {
-    fn value<T: Real>(
+    /// Its value; `turns` are sine and cosine of the angles.
+    pub(super) fn value<T: Real>(
         self,
         angles: &[T; DOF],
         turns: &[(T, T); DOF],
@@ -155,33 +137,6 @@ impl Feature {
             Feature::Approach(at) => T::constant(conditions.approach[joint(at)]),
         }
     }
-}
-
-impl Layers {
-    fn add_to<T: Real>(&self, inputs: &[T], out: &mut [T; DOF]) {
-        for (number, bias) in out.iter_mut().zip(&self.output_biases) {
-            *number += T::constant(*bias);
-        }
-        for (unit, (weights, bias)) in self.hidden_weights.iter().zip(&self.hidden_biases).enumerate() {
-            let sum = weights
-                .iter()
-                .zip(inputs)
-                .fold(T::constant(*bias), |sum, (weight, input)| sum + *input * T::constant(*weight));
-            let activation = hyperbolic_tangent(sum);
-            for (number, row) in out.iter_mut().zip(&self.output_weights) {
-                *number += activation * T::constant(row[unit]);
-            }
-        }
-    }
-}
-
-/// Exact to rounding of one (small arguments lose relative, not absolute accuracy) at a quarter of the price of the
-/// library's, and without overflow.
-fn hyperbolic_tangent<T: Real>(x: T) -> T {
-    let negative = x.value() < 0.0;
-    let decay = num_dual::DualNum::exp(&(if negative { x } else { -x } * T::constant(2.0)));
-    let size = (T::one() - decay) / (T::one() + decay);
-    if negative { -size } else { size }
 }
 
 #[cfg(test)]
@@ -208,22 +163,11 @@ mod tests {
     fn the_output_is_the_formula_worked_by_hand() {
         let network = network();
         assert_eq!(network.check(), Ok(()));
-        let out = network.outputs(&[0.3, 0.8, 0.0, 0.0, 0.0, 0.0], &[0.0; DOF], &Conditions::default());
+        let out = network.ready().outputs(&[0.3, 0.8, 0.0, 0.0, 0.0, 0.0], &[0.0; DOF], &Conditions::default());
         let (x0, x1) = (0.3f64.sin(), (0.8 - 1.0) / 2.0);
         let (h0, h1) = ((0.5 * x0 - 0.25 * x1 + 0.1).tanh(), (x0 + 2.0 * x1 - 0.2).tanh());
         for (found, expected) in out.iter().zip([h0, h1, 2.0 * h0 - h1 + 0.5]) {
             assert!((found - expected).abs() < 1e-15);
-        }
-    }
-
-    #[test]
-    fn the_activation_is_the_hyperbolic_tangent_with_its_slope() {
-        use crate::geometry::real::{derivatives, seeded};
-        for x in [-800.0, -3.0, -1e-9, 0.0, 1e-9, 0.4, 20.0, 800.0] {
-            let found = hyperbolic_tangent(seeded(x, 0));
-            assert!((found.value() - f64::tanh(x)).abs() < 1e-15, "{x}");
-            let slope = 1.0 - f64::tanh(x).powi(2);
-            assert!((derivatives(&found)[0] - slope).abs() < 1e-15, "{x}");
         }
     }
 

@@ -9,7 +9,9 @@ pub struct Decimal {
     units: Option<i64>,
 }
 
-const POWERS: [f64; 16] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+/// Powers of ten that are exact doubles, by their exponent.
+pub(super) const POWERS_OF_TEN: [f64; 16] =
+    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 /// Units up to which a product with a power of ten is off by less than [`UNSURE`].
 const MOST_UNITS: f64 = 1e12;
 /// A fraction this near to a half is left to the exact algorithm of the standard library.
@@ -25,7 +27,7 @@ impl Decimal {
     pub fn value(&self) -> f64 {
         match self.units {
             // Both are integers that a double holds, so that the quotient is the correctly rounded one (Clinger 1990).
-            Some(units) => units as f64 / POWERS[self.decimals],
+            Some(units) => units as f64 / POWERS_OF_TEN[self.decimals],
             None => self.text().parse().unwrap_or(self.exact),
         }
     }
@@ -62,7 +64,7 @@ impl Decimal {
 
 /// The nearest count of units, where doubles can tell it.
 fn units(exact: f64, decimals: usize) -> Option<i64> {
-    let scaled = exact * POWERS.get(decimals)?;
+    let scaled = exact * POWERS_OF_TEN.get(decimals)?;
     if scaled.is_nan() || scaled.abs() >= MOST_UNITS {
         return None;
     }

@@ -7,4 +7,5 @@ pub mod decimal;
 pub mod dialect;
 pub mod number;
 pub mod scan;
+pub mod selection;
 pub mod target;

@@ -27,8 +27,22 @@ pub struct Program {
     pub frames: BTreeMap<String, Definition<FrameData>>,
     /// Loads that the program defines itself.
     pub loads: BTreeMap<String, Definition<LoadData>>,
+    /// The declarations of named targets that may be copied under another name, by index of the target.
+    pub declarations: BTreeMap<usize, Declaration>,
     /// What the reader has to say: broken lines, suspicious units, a missing end.
     pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Where a named target is declared, in a language in which a copy of the declaration under a new name declares another
+/// target.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Declaration {
+    /// The whole statement, with what ends it.
+    pub statement: Span,
+    /// The name in it.
+    pub name: Span,
+    /// Where moves name the target, directly or to displace it: file of the job and the name there.
+    pub mentions: Vec<(usize, Span)>,
 }
 
 /// A definition in the program: its value, or why the value is not in the text.
@@ -234,8 +248,7 @@ pub enum Reference {
     /// The program names none: the robot's own.
     #[default]
     Unnamed,
-    /// A name, to be looked up in the program, then in the cell file, by its [`Program::key`]. Spelled as the program
-    /// declares it, or, without a declaration, as the move has it.
+    /// A name as the program spells it, to be looked up by [`Program::key`] in the program, then in the cell file.
     Named(Arc<str>),
     /// Known only at run time, with the reason.
     Runtime(String),

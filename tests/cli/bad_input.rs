@@ -47,6 +47,13 @@ fn out_of_reach() {
     bad_program(program(&far, "tGun"), 1, &["bad.mod:3:23", "`p1`", "out of reach by 20", " mm"]);
 }
 
+#[test]
+fn out_of_reach_on_a_travelling_axis() {
+    let far = REACHED.replace("1500", "4500").replace("[9E9,9E9", "[3079.8,9E9");
+    let says = ["bad.mod:3:23", "out of reach by 20", "eax_a at 3079.8", "travels on an additional axis"];
+    bad_program(program(&far, "tGun"), 1, &says);
+}
+
 /// Axis 5 begins at 89.999 deg here; the target is taught at 90 deg, and its correction needs less.
 #[test]
 fn beyond_a_joint_limit_after_correction() {
@@ -177,7 +184,7 @@ fn random_bytes(count: usize) -> Vec<u8> {
 #[test]
 fn random_bytes_as_anything() {
     let bytes = random_bytes(4000);
-    bad_program(&bytes, 2, &["bad.mod:1:1", "no robot language"]);
+    bad_program(&bytes, 2, &["bad.mod:1:1", "binary data, not the text of a program"]);
     bad_robot(&bytes, &["bad.yaml:1:", "not UTF-8"]);
     let bench = Bench::new();
     bench.write("bytes.mod", &bytes);

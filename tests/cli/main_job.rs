@@ -193,3 +193,44 @@ fn a_cell_file_gives_what_the_program_only_names() {
     let run = bench.run(&["correct", "--model", "model.yaml", "--cell", "cell.yaml", "bad.mod"]);
     assert_eq!(run.status, Some(0), "{}", run.stderr);
 }
+
+#[test]
+fn shared_targets_are_split_when_asked_for() {
+    let bench = Bench::new();
+    let frame = |x: f64| format!("[FALSE,TRUE,\"\",[[{x},0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]");
+    let text = program(&REACHED.replace("1500", "100"), "tGun\\WObj:=wA")
+        .replace(
+            "  CONST",
+            &format!("  PERS wobjdata wA:={};\n  PERS wobjdata wB:={};\n  CONST", frame(1400.0), frame(1450.0)),
+        )
+        .replace("]];\n  PROC", "]]; ! seam\n  PROC")
+        .replace(
+            "  ENDPROC",
+            "    MoveL Offs(P1,0,0,50),v100,fine,tGun\\WObj:=wB;\n    MoveL P1,v100,fine,tGun\\WObj:=wB;\n  ENDPROC",
+        );
+    bench.write("job.mod", &text);
+    let refused = bench.run(&["correct", "--model", "model.yaml", "job.mod", "-o", "out.mod"]);
+    assert_eq!(refused.status, Some(1), "{}", refused.stderr);
+    assert!(
+        refused.stderr.contains("used with different tools, frames or loads in lines 7 and 9"),
+        "{}",
+        refused.stderr
+    );
+    assert!(!bench.path("out.mod").exists());
+
+    let split =
+        ["correct", "--split-shared", "--model", "model.yaml", "job.mod", "-o", "out.mod", "--report", "r.json"];
+    let run = bench.run(&split);
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    let out = String::from_utf8(bench.read("out.mod")).expect("text");
+    let copied = text
+        .replace(" ! seam\n", &format!(" ! seam\n  CONST robtarget p1_2:={};\n", REACHED.replace("1500", "100")))
+        .replace("Offs(P1,", "Offs(p1_2,")
+        .replace("MoveL P1,", "MoveL p1_2,");
+    assert_eq!(without_digits(out.as_bytes()), without_digits(copied.as_bytes()));
+    assert!(out.contains("Offs(p1_2,") && out.contains("MoveL p1_2,") && out.contains("MoveL p1,"), "{out}");
+    assert_eq!(json(&bench.read("r.json"))["summary"]["corrected"], 3);
+
+    let perfect = bench.run(&["correct", "--split-shared", "--model", "robot.yaml", "job.mod"]);
+    assert_eq!(perfect.stdout, text.as_bytes());
+}

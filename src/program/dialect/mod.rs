@@ -5,11 +5,15 @@ use crate::base::text::{Encoding, Source};
 use super::number::NumberRules;
 use super::target::Program;
 
+mod fanuc;
 mod hyundai;
+mod inform;
 mod rapid;
+mod urscript;
 
 /// Every language that the tool reads.
-pub const DIALECTS: &[&dyn Dialect] = &[&rapid::Rapid, &hyundai::Hyundai];
+pub const DIALECTS: &[&dyn Dialect] =
+    &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform, &urscript::UrScript];
 
 /// What there is to know about a language without reading a program.
 #[derive(Clone, Copy, Debug)]

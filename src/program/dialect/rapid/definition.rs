@@ -56,7 +56,6 @@ fn define<T>(
     let symbol = &job.symbols[index];
     let text = &job.files[symbol.scope.file];
     let name = Program::key(&symbol.display);
-    let name_length = name.len();
     // Modules may each have a local one of the same name: the later ones are filed under their module's number.
     let taken = map.contains_key(&name) || map.contains_key(&format!("{name}{{1}}"));
     let key = if taken { format!("{name}@{}.{index}", symbol.scope.module) } else { name };
@@ -72,9 +71,7 @@ fn define<T>(
     for (label, range) in job.elements(index) {
         add(&label, read(text, &range));
     }
-    // Reports name it as its declaration spells it.
-    let spelled = key.get(name_length..).map(|suffix| format!("{}{suffix}", symbol.display));
-    keys.0.insert(index, spelled.unwrap_or(key));
+    keys.0.insert(index, key);
 }
 
 impl DefinitionKeys {
@@ -85,17 +82,21 @@ impl DefinitionKeys {
             return Reference::Runtime(format!("written as an expression in line {}", text.line(start)));
         }
         let written = text.source.text(text.span(range)).into_owned();
-        let named = |key: String| Reference::Named(Arc::from(key));
+        // Reports show the name as its declaration spells it; only names that several modules share need their key.
+        let named = |key: String, spelled: &str| match Program::key(spelled) == key {
+            true => Reference::Named(Arc::from(spelled)),
+            false => Reference::Named(Arc::from(key)),
+        };
         let symbol = match job.symbol(&text.key(start), scope) {
             Lookup::Found(index) => index,
             Lookup::Ambiguous => return Reference::Runtime(format!("several modules declare `{written}`")),
             // Names such as `Gripper(Closed)` are filed whole; what is declared nowhere is left to the cell file.
             Lookup::Unknown => match job.symbol(&Program::key(&written), scope) {
-                Lookup::Found(index) => return named(self.key_of(index, &written)),
+                Lookup::Found(index) => return named(self.key_of(index, &written), &job.symbols[index].display),
                 _ if job.routine(&text.key(start), scope).is_some() => {
                     return Reference::Runtime(format!("`{written}` is a function"));
                 }
-                _ => return named(written),
+                _ => return named(Program::key(&written), &written),
             },
         };
         let declared = &job.symbols[symbol];
@@ -103,18 +104,19 @@ impl DefinitionKeys {
             return Reference::Runtime(format!("`{}` is a parameter of the routine", declared.display));
         }
         if range.len() == 1 {
-            return named(self.key_of(symbol, &written));
+            return named(self.key_of(symbol, &written), &declared.display);
         }
         match element_at(text, start + 1, range.end) {
             Some(label) if text.is_symbol(range.end - 1, b'}') => {
-                named(format!("{}{label}", self.key_of(symbol, &declared.display)))
+                let spelled = format!("{}{label}", declared.display);
+                named(format!("{}{label}", self.key_of(symbol, &declared.display)), &spelled)
             }
             _ => Reference::Runtime(format!("`{written}` depends on a variable")),
         }
     }
 
     fn key_of(&self, symbol: usize, written: &str) -> String {
-        self.0.get(&symbol).cloned().unwrap_or_else(|| written.to_owned())
+        self.0.get(&symbol).cloned().unwrap_or_else(|| Program::key(written))
     }
 }
 

@@ -1,17 +1,18 @@
-//! Says in words why a target next to a singularity cannot be corrected.
+//! The reasons of refusals, in words that a programmer can act on.
 
 use crate::invert::InversionError;
 use crate::kinematics::controller::Controller;
 use crate::kinematics::posture::Singularity;
 use crate::model::robot::DOF;
+use crate::program::target::Target;
 
 /// Sine below which a straight wrist or a stretched elbow is named as the cause.
 const NEAR_SIN: f64 = 0.1;
 /// Distance of the wrist centre from axis 1, as a part of the arm's size, below which that is named as the cause.
 const NEAR_AXIS: f64 = 0.05;
 
-/// The reason of a refusal for a programmer: which singularity it is, and what helps.
-pub fn reason(error: &InversionError, controller: &Controller, nominal_rad: &[f64; DOF]) -> String {
+/// Why the real arm cannot be brought there: which singularity it is, and what helps.
+pub fn no_command(error: &InversionError, controller: &Controller, nominal_rad: &[f64; DOF]) -> String {
     let InversionError::Singular { .. } = error else {
         return error.to_string();
     };
@@ -32,6 +33,24 @@ pub fn reason(error: &InversionError, controller: &Controller, nominal_rad: &[f6
         ("the wrist centre stands over axis 1".to_string(), "move the target away from axis 1")
     };
     format!("{cause}; no small turn of the joints makes up for the arm's errors there; {help}")
+}
+
+/// Adds to the reason why the nominal arm does not get there that it may stand elsewhere: on a travelling axis.
+pub fn with_travel(reason: String, target: &Target) -> String {
+    let moved: Vec<String> = target
+        .external_axes
+        .iter()
+        .filter(|axis| axis.value != 0.0)
+        .map(|axis| format!("{} at {}", axis.name, axis.value))
+        .collect();
+    match moved.is_empty() {
+        true => reason,
+        false => format!(
+            "{reason}; the target has {}: a robot that travels on an additional axis is taken to stand \
+                          at that axis' zero",
+            moved.join(", ")
+        ),
+    }
 }
 
 /// How near the arm stands to each singularity at these numbers.
