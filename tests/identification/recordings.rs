@@ -4,7 +4,13 @@ use falsetarget::identify::predict::predict;
 use falsetarget::identify::report::{Figures, Report};
 use falsetarget::measure::observation::Observation;
 
+use falsetarget::geometry::pose::{rotation_from_vector, vector_from_rotation};
+use nalgebra::{Matrix3, Vector3};
+use rand::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+
 use crate::shelf::{calibrated, recording_of, robot_of};
+use crate::simulator::{VirtualArm, poses, record};
 
 fn validation(report: &Report, stage: &str) -> Figures {
     let stage = report.stages.iter().find(|one| one.name == stage).unwrap_or_else(|| panic!("no stage {stage}"));
@@ -78,4 +84,36 @@ fn a_real_ur10_reaches_the_known_figures_with_base_and_tool_unknown() {
     assert!(geometry.mean_mm <= 0.3635 && geometry.rms_mm <= 0.4035, "{geometry:?}");
     let compliant = validation(&report, "geometry_compliance");
     assert!(compliant.mean_mm <= 0.3215 && compliant.rms_mm <= 0.3675 && compliant.max_mm <= 1.055, "{compliant:?}");
+}
+
+#[test]
+fn full_poses_tell_the_tools_orientation_and_few_of_them_suffice() {
+    let mut robot = robot_of("null-a");
+    let arm = VirtualArm::draw(&robot, 31);
+    let all = poses(&robot, 80, 32);
+    let exact: Vec<_> = all.iter().map(|pose| arm.pose(pose)).collect();
+    let rotation_of = |pose: usize| -> Matrix3<f64> { exact[pose].fixed_view::<3, 3>(0, 0).into_owned() };
+    let point_of = |pose: usize| -> Vector3<f64> { exact[pose].fixed_view::<3, 1>(0, 3).into_owned() };
+    let points: Vec<Vector3<f64>> = (0..30).map(point_of).collect();
+    let mut recording = record(&all[..30], &points, 4e-5, 33);
+    let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(34);
+    let noise_rad = 8e-5;
+    for (index, observation) in recording.observations.iter_mut().enumerate() {
+        let turn = Vector3::from_fn(|_, _| noise_rad * Distribution::<f64>::sample(&StandardNormal, &mut random));
+        let measured = observation.measured.as_mut().expect("measured");
+        measured.rotation = Some(rotation_of(index) * rotation_from_vector(&turn));
+    }
+    // Base and tool are not told: both are found from the recording, the tool with its orientation.
+    (robot.base, robot.tool) = (None, None);
+    let (model, report) = calibrated(&robot, &[recording]).expect("a model");
+    assert!(report.parameters.iter().any(|one| one.name == "tool rz" && one.sigma < 1e-3), "{:?}", report.parameters);
+    let prepared = model.arm.prepared();
+    let (mut shift, mut turn) = (0.0, 0.0);
+    for (index, pose) in all.iter().enumerate().skip(30) {
+        let stand = prepared.at(pose, &Default::default(), None).expect("a pose");
+        let found = prepared.measured(&stand);
+        shift += (found.translation - point_of(index)).norm_squared() / 50.0;
+        turn += vector_from_rotation(&(found.rotation.transpose() * rotation_of(index))).norm_squared() / 50.0;
+    }
+    assert!(shift.sqrt() < 6e-5 && turn.sqrt() < 1e-4, "{} m, {} rad", shift.sqrt(), turn.sqrt());
 }

@@ -119,11 +119,17 @@ impl VirtualArm {
 
     /// Where the measured point stands, in the measuring frame, m.
     pub fn point(&self, numbers_rad: &[f64; DOF]) -> Vector3<f64> {
+        self.pose(numbers_rad).fixed_view::<3, 1>(0, 3).into_owned()
+    }
+
+    /// Where the tool stands and how, in the measuring frame.
+    pub fn pose(&self, numbers_rad: &[f64; DOF]) -> Matrix4<f64> {
         let command = Vector6::from(*numbers_rad);
         let frames = self.frames(&(command + self.equilibrium(&command)));
-        let tool = self.robot.tool.expect("a tool").translation;
-        let at = frames[DOF - 1] * self.displacements[DOF + 1] * Vector4::new(tool.x, tool.y, tool.z, 1.0);
-        at.xyz()
+        let tool = self.robot.tool.expect("a tool");
+        let mut nominal = tool.rotation.to_homogeneous();
+        nominal.fixed_view_mut::<3, 1>(0, 3).copy_from(&tool.translation);
+        frames[DOF - 1] * self.displacements[DOF + 1] * nominal
     }
 }
 
