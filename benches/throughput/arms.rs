@@ -23,7 +23,7 @@ pub fn calibrated() -> ArmModel {
     }
     model.parameters.crank_m = 2e-4;
     model.parameters.coupler_m = -3e-4;
-    model.network = Some(network(&mut random));
+    model.learner = Some(network(&mut random).into());
     model
 }
 

@@ -1,13 +1,12 @@
-//! The real arm: nominal robot, errors, effects and network together, at static equilibrium.
+//! The real arm: nominal robot, errors, effects and what was learned together, at static equilibrium.
 
 use crate::geometry::pose::Pose;
 
 use super::chain::{Chain, Rows, displacement_pose};
 use super::effect::{Effect, Location, ModelScalar, Response};
+use super::learner::{Learner, ReadyLearner};
 use super::linkage::{LoopErrors, LoopOpen, RowAngles};
-use super::network::ResidualNetwork;
 use super::parameters::Parameters;
-use super::ready_network::ReadyNetwork;
 use super::robot::{DOF, LOOP_AROUND, Robot};
 use super::statics::{Statics, largest_torque_nm};
 
@@ -40,7 +39,7 @@ pub struct ArmModel {
     /// The effects, joint compliances of the robot file first.
     pub effects: Vec<EffectInstance>,
     /// What is learned on top.
-    pub network: Option<ResidualNetwork>,
+    pub learner: Option<Learner>,
 }
 
 impl ArmModel {
@@ -59,7 +58,7 @@ impl ArmModel {
             robot,
             parameters,
             effects,
-            network: None,
+            learner: None,
         }
     }
 
@@ -72,19 +71,16 @@ impl ArmModel {
             robot,
             parameters,
             effects: Vec::new(),
-            network: None,
+            learner: None,
         }
     }
 
-    /// True when some effect that is on, or the network, asks in which sense a joint arrives.
+    /// True when some effect that is on, or the learner, asks in which sense a joint arrives.
     pub fn depends_on_approach(&self) -> bool {
         let by_effect = self.effects.iter().zip(&self.parameters.effects).any(|(instance, values)| {
             instance.effect.meta().needs.approach && values.iter().any(|&value| value != 0.0)
         });
-        let by_network = self.network.as_ref().is_some_and(|network| {
-            network.features.iter().any(|feature| matches!(feature, super::network::Feature::Approach(_)))
-        });
-        by_effect || by_network
+        by_effect || self.learner.as_ref().is_some_and(Learner::depends_on_approach)
     }
 
     /// The model with its parameters over the scalar `T`, ready to be evaluated many times.
@@ -96,8 +92,8 @@ impl ArmModel {
         };
         let largest_torque_nm = std::array::from_fn(|joint| largest_torque_nm(&self.robot, joint));
         let rows = Rows::new(&self.robot, &parameters);
-        let network = self.network.as_ref().map(ResidualNetwork::ready);
-        PreparedArm { rows, loop_errors, largest_torque_nm, network, model: self, parameters }
+        let learner = self.learner.as_ref().map(Learner::ready);
+        PreparedArm { rows, loop_errors, largest_torque_nm, learner, model: self, parameters }
     }
 
     /// [`ArmModel::prepare`] with the model's own parameters.
@@ -122,7 +118,7 @@ pub struct PreparedArm<'a, T: ModelScalar> {
     pub(super) rows: Rows<T>,
     pub(super) loop_errors: LoopErrors<T>,
     pub(super) largest_torque_nm: [f64; DOF],
-    pub(super) network: Option<ReadyNetwork>,
+    pub(super) learner: Option<ReadyLearner<'a>>,
 }
 
 /// The arm in one pose.

@@ -4,9 +4,9 @@ use super::arm::{ArmError, ArmState, PreparedArm};
 use super::chain::Chain;
 use super::conditions::Conditions;
 use super::effect::{Context, ModelScalar, Response, Setting};
+use super::learner::ReadyLearner;
 use super::linkage::{RowAngles, actuators_from_numbers, row_angles};
 use super::network::Output;
-use super::ready_network::ReadyNetwork;
 use super::robot::DOF;
 use super::statics::{Load, Statics};
 
@@ -114,8 +114,8 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         for (instance, parameters) in self.model.effects.iter().zip(&self.parameters.effects) {
             T::respond(instance.effect, &instance.location, parameters, &context, &mut response);
         }
-        if let Some(network) = self.network_for(Output::Actuators) {
-            let learned = network.outputs(&stand.commanded, &statics.actuator_torque_nm, stand.conditions);
+        if let Some(learner) = self.learner_for(Output::Actuators) {
+            let learned = learner.outputs(&stand.commanded, &statics.actuator_torque_nm, stand.conditions);
             for (joint, angle) in learned.into_iter().enumerate() {
                 response.turn(joint, angle);
             }
@@ -124,15 +124,15 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
     }
 
     fn add_learned_shift(&self, stand: &Stand<'_, T>, state: &mut ArmState<T>) {
-        if let Some(network) = self.network_for(Output::Position) {
-            let learned = network.outputs(&stand.commanded, &state.statics.actuator_torque_nm, stand.conditions);
+        if let Some(learner) = self.learner_for(Output::Position) {
+            let learned = learner.outputs(&stand.commanded, &state.statics.actuator_torque_nm, stand.conditions);
             for (coordinate, shift) in state.base_t_flange.translation.iter_mut().zip(learned) {
                 *coordinate += shift;
             }
         }
     }
 
-    fn network_for(&self, output: Output) -> Option<&ReadyNetwork> {
-        self.network.as_ref().filter(|network| network.output == output)
+    fn learner_for(&self, output: Output) -> Option<&ReadyLearner<'_>> {
+        self.learner.as_ref().filter(|learner| learner.output() == output)
     }
 }

@@ -4,12 +4,14 @@
 pub mod arm;
 pub mod chain;
 pub mod conditions;
+pub mod curves;
 pub mod effect;
 mod equilibrium;
 #[cfg(test)]
 pub(crate) mod fixture;
 pub mod inertia;
 pub mod jacobian;
+pub mod learner;
 pub mod linkage;
 pub mod network;
 pub mod parameters;
