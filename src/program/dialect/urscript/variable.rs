@@ -11,16 +11,43 @@ use super::token::{Kind, Text};
 pub(super) struct Assignment {
     /// Statement of the file.
     pub statement: usize,
-    /// Function of the statement.
-    pub function: usize,
-    /// Its tokens behind `=`; `None` for an element of the variable.
+    /// Its tokens behind `=`; `None` for a part of the variable.
     pub value: Option<Range<usize>>,
-    local: bool,
+    function: usize,
 }
 
 /// All assignments of a file by name.
 #[derive(Debug, Default)]
-pub(super) struct Variables(HashMap<Vec<u8>, Vec<Assignment>>);
+pub(super) struct Variables(HashMap<Vec<u8>, Named>);
+
+/// The variables of one name.
+#[derive(Debug, Default)]
+struct Named {
+    shared: Group,
+    /// By function.
+    local: HashMap<usize, Group>,
+}
+
+/// The assignments of one variable, in the order of the text.
+#[derive(Debug, Default)]
+struct Group {
+    all: Vec<Assignment>,
+    /// The first that sets only a part.
+    part: Option<usize>,
+    /// All stand in one function.
+    in_one_function: bool,
+}
+
+impl Group {
+    fn push(&mut self, one: Assignment) {
+        let same_as_first = self.all.first().is_none_or(|first| first.function == one.function);
+        self.in_one_function = same_as_first && (self.in_one_function || self.all.is_empty());
+        if one.value.is_none() {
+            self.part.get_or_insert(self.all.len());
+        }
+        self.all.push(one);
+    }
+}
 
 /// Reads an assignment; `None` when the statement is another one.
 fn assignment(text: Text<'_>, tokens: &Range<usize>) -> Option<(Vec<u8>, bool, Option<Range<usize>>)> {
@@ -47,11 +74,13 @@ fn assignment(text: Text<'_>, tokens: &Range<usize>) -> Option<(Vec<u8>, bool, O
 impl Variables {
     /// Collects them.
     pub fn of(text: Text<'_>, program: &Program) -> Self {
-        let mut all: HashMap<Vec<u8>, Vec<Assignment>> = HashMap::new();
+        let mut all: HashMap<Vec<u8>, Named> = HashMap::new();
         for (index, statement) in program.statements.iter().enumerate() {
             if let Some((name, local, value)) = assignment(text, &statement.tokens) {
                 let function = statement.function;
-                all.entry(name).or_default().push(Assignment { statement: index, function, value, local });
+                let named = all.entry(name).or_default();
+                let group = if local { named.local.entry(function).or_default() } else { &mut named.shared };
+                group.push(Assignment { statement: index, function, value });
             }
         }
         Self(all)
@@ -67,36 +96,30 @@ impl Variables {
         if program.functions[function].parameters.iter().any(|parameter| parameter == name) {
             return Err(format!("`{shown}` is a parameter of the function"));
         }
-        let all = self.0.get(name).map(Vec::as_slice).unwrap_or_default();
-        let own = || all.iter().filter(|one| one.local && one.function == function);
-        let found: Vec<&Assignment> =
-            if own().next().is_some() { own().collect() } else { all.iter().filter(|one| !one.local).collect() };
+        let named = self.0.get(name);
+        let group = named.map(|named| named.local.get(&function).unwrap_or(&named.shared));
         let line = |one: &Assignment| {
             let first = program.statements[one.statement].tokens.start;
             text.tokens.get(first).map_or(0, |token| text.source.line(token.span.start))
         };
-        if let Some(element) = found.iter().find(|one| one.value.is_none()) {
-            return Err(format!("a part of `{shown}` is set in line {}", line(element)));
+        let Some((first, rest, group)) = group.and_then(|group| Some((group.all.first()?, &group.all[1..], group)))
+        else {
+            return Err(format!("`{shown}` gets no value in this file"));
+        };
+        if let Some(part) = group.part {
+            return Err(format!("a part of `{shown}` is set in line {}", line(&group.all[part])));
         }
-        match found[..] {
-            [] => Err(format!("`{shown}` gets no value in this file")),
-            [one] => Ok(one),
-            [first, second, ..] => {
-                let straight =
-                    !program.functions[function].branches && found.iter().all(|one| one.function == function);
-                let before = found.partition_point(|one| one.statement < at);
-                match before.checked_sub(1).filter(|_| straight) {
-                    Some(index) => Ok(found[index]),
-                    None => {
-                        Err(format!("`{shown}` is set more than once, in lines {} and {}", line(first), line(second)))
-                    }
-                }
-            }
+        let Some(second) = rest.first() else { return Ok(first) };
+        let straight = group.in_one_function && first.function == function && !program.functions[function].branches;
+        let before = group.all.partition_point(|one| one.statement < at);
+        match before.checked_sub(1).filter(|_| straight) {
+            Some(index) => Ok(&group.all[index]),
+            None => Err(format!("`{shown}` is set more than once, in lines {} and {}", line(first), line(second))),
         }
     }
 }
 
-/// True when a token ends an expression: nothing of it may follow.
+/// True for an expression that is one name.
 pub(super) fn is_single(text: Text<'_>, range: &Range<usize>) -> bool {
     range.len() == 1 && text.tokens.get(range.start).is_some_and(|token| token.kind == Kind::Name)
 }
