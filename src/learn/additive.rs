@@ -197,7 +197,8 @@ impl<'a> Regression<'a> {
         let parts: Option<Vec<_>> = (0..self.folds.len())
             .into_par_iter()
             .map(|fold| {
-                let fitted = self.fit_from(&self.moments_without(Some(fold)), &all.origin, &all.variances, STEPS_OF_FOLD)?;
+                let fitted =
+                    self.fit_from(&self.moments_without(Some(fold)), &all.origin, &all.variances, STEPS_OF_FOLD)?;
                 Some(self.left_of_fold(fold, &fitted.posterior.mean))
             })
             .collect();

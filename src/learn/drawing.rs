@@ -132,7 +132,8 @@ mod tests {
     fn nothing_is_corrected_where_nothing_was_measured() {
         let term = circle();
         // A gap from -0.5 to 0.7.
-        let measured = (0..100).map(|index| if index < 50 { -1.4 + 0.018 * f64::from(index) } else { 0.7 + 0.01 * f64::from(index - 50) });
+        let measured = (0..100)
+            .map(|index| if index < 50 { -1.4 + 0.018 * f64::from(index) } else { 0.7 + 0.01 * f64::from(index - 50) });
         let curve = curve(&term, &evidenced(20, measured.collect()));
         assert_eq!(curve.value(0.1), 0.0);
         assert!(curve.value(-1.0) != 0.0 && curve.value(1.0) != 0.0);

@@ -92,13 +92,7 @@ const SETTLED: f64 = 1e-3;
 /// # Arguments
 /// * `origin` - where the prior of each variance lies
 /// * `start` - where the search starts, for at most `steps` steps
-pub fn maximise(
-    moments: &Moments,
-    groups: &Groups,
-    origin: &Variances,
-    start: &Variances,
-    steps: u64,
-) -> Variances {
+pub fn maximise(moments: &Moments, groups: &Groups, origin: &Variances, start: &Variances, steps: u64) -> Variances {
     let logarithms = |of: &Variances| -> Vec<f64> { of.groups.iter().chain([&of.noise]).map(|one| one.ln()).collect() };
     let (origin, first) = (logarithms(origin), DVector::from_vec(logarithms(start)));
     let mut problem = Evidence { moments, groups, origin: &origin, scale: 1.0, last: RefCell::new(None) };
@@ -108,9 +102,7 @@ pub fn maximise(
     let settled = SETTLED * problem.scale;
     let solver = LBFGS::new(MoreThuenteLineSearch::new(), 12).with_tolerance_cost(settled);
     let Ok(solver) = solver.and_then(|solver| solver.with_tolerance_grad(settled)) else { return start.clone() };
-    let run = Executor::new(problem, solver)
-        .configure(|state| state.param(first).max_iters(steps))
-        .run();
+    let run = Executor::new(problem, solver).configure(|state| state.param(first).max_iters(steps)).run();
     // A line search that finds no better point ends the run with an error and the start stands.
     match run.ok().and_then(|result| result.state().get_best_param().cloned()) {
         Some(best) => variances(best.as_slice()),
@@ -292,7 +284,8 @@ mod tests {
         let (a, y, groups) = sample(60);
         let moments = Moments::of(&a, &y);
         let origin = [0.0, -1.0, -2.0];
-        let evidence = Evidence { moments: &moments, groups: &groups, origin: &origin, scale: 1.0, last: RefCell::new(None) };
+        let evidence =
+            Evidence { moments: &moments, groups: &groups, origin: &origin, scale: 1.0, last: RefCell::new(None) };
         let point = DVector::from_vec(vec![-1.5, -2.5, -0.5]);
         let (_, gradient) = evidence.evaluate(&point).expect("finite");
         for index in 0..3 {

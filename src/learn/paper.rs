@@ -166,7 +166,8 @@ mod tests {
                 (weights.iter().zip(x).map(|(weight, x)| weight * x).sum::<f64>() + bias).tanh()
             };
             let units = layers.hidden_weights.iter().zip(&layers.hidden_biases).map(unit);
-            units.zip(&layers.output_weights[0]).map(|(unit, weight)| unit * weight).sum::<f64>() + layers.output_biases[0]
+            units.zip(&layers.output_weights[0]).map(|(unit, weight)| unit * weight).sum::<f64>()
+                + layers.output_biases[0]
         };
         let column = |column: usize| -> f64 {
             let x: Vec<f64> = inputs.column(column).iter().copied().collect();

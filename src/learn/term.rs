@@ -206,12 +206,14 @@ pub fn terms(samples: &Samples<'_>, family: Family) -> Vec<Term> {
     let smooth = Resolution { finest: 4.0, band: 2.0 };
     let coarse = Resolution { finest: 3.0, band: 2.0 };
     let longest = samples.levers.column_iter().map(|lever| lever.norm()).fold(0.0, f64::max);
-    let joints: Vec<usize> = (0..DOF).filter(|&joint| samples.levers.column(joint).norm() > NO_LEVER * longest).collect();
+    let joints: Vec<usize> =
+        (0..DOF).filter(|&joint| samples.levers.column(joint).norm() > NO_LEVER * longest).collect();
     let senses = |joint: usize| samples.observations.iter().any(|record| record.conditions.approach[joint] != 0.0);
     let most_columns = COLUMNS_PER_ROW * samples.missing.len() as f64;
     let mut found = Vec::new();
     // Two columns for each wave a revolution, of each revolution that a joint's interval is long.
-    let revolutions = |joint: usize| interval(samples, Variable::Angle(joint + 1)).map_or(0.0, |(_, length)| length / (2.0 * PI));
+    let revolutions =
+        |joint: usize| interval(samples, Variable::Angle(joint + 1)).map_or(0.0, |(_, length)| length / (2.0 * PI));
     let in_all = joints.iter().map(|&joint| revolutions(joint)).sum::<f64>();
     let finest = (0.5 * most_columns / in_all.max(f64::MIN_POSITIVE)).clamp(1.0, FINEST_OF_ALL);
     let lines = 0.5 * LINES_PER_ROW * samples.missing.len() as f64 / joints.len().max(1) as f64;
