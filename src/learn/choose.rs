@@ -104,11 +104,14 @@ pub fn learn(problem: &Problem<'_>, state: &State, unknowns: &[Unknown], seed: u
     let mut learned = match tried.get(chosen) {
         Some((Some(family), candidate, regression, fitted)) => {
             let mut learned = taken(*family, regression, fitted, (state, unknowns), &sigmas_m);
-            let geometry_m2 = learned.error_m2 * (1.0 / share_of_terms(regression, fitted) - 1.0);
+            let rows = samples.missing.len().max(1) as f64;
             let noise_m2 = 3.0 * fitted.variances.noise * mean(sigmas_m.iter().map(|sigma| sigma * sigma));
-            let missed_m2 = mean(candidate.lengths_m.iter().map(|length| length * length)) - noise_m2 - geometry_m2;
+            let expected_m2 = noise_m2 + learned.error_m2 / share_of_terms(regression, fitted);
+            // A mean square scatters by this part of itself; only what is beyond two of that is more than expected.
+            let beyond_chance_m2 = expected_m2 * (1.0 + 2.0 * (2.0 / rows).sqrt());
+            let missed_m2 = mean(candidate.lengths_m.iter().map(|length| length * length));
             if learned.error_m2 > 0.0 {
-                learned.held_out_ratio = (missed_m2 / learned.error_m2).max(1.0);
+                learned.held_out_ratio = 1.0 + (missed_m2 - beyond_chance_m2).max(0.0) / learned.error_m2;
             }
             learned
         }
