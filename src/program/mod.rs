@@ -4,6 +4,7 @@
 //! A dialect never changes text. It says where numbers stand and what they mean; floor 5 decides on edits.
 
 pub mod dialect;
+pub mod flow;
 pub mod number;
 pub mod scan;
 pub mod target;

@@ -27,6 +27,9 @@ pub struct Program {
     pub frames: BTreeMap<String, Definition<FrameData>>,
     /// Loads that the program defines itself.
     pub loads: BTreeMap<String, Definition<LoadData>>,
+    /// Loads that the program gives as all that the flange carries, centre of mass in the flange: they take the place
+    /// of the tool's own load (KUKA `$LOAD`). A [`Use::grip_load`] names one like any other load.
+    pub flange_loads: BTreeMap<String, Definition<LoadData>>,
     /// What the reader has to say: broken lines, suspicious units, a missing end.
     pub diagnostics: Vec<Diagnostic>,
 }

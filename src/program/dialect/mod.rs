@@ -6,10 +6,11 @@ use super::number::NumberRules;
 use super::target::Program;
 
 mod hyundai;
+mod krl;
 mod rapid;
 
 /// Every language that the tool reads.
-pub const DIALECTS: &[&dyn Dialect] = &[&rapid::Rapid, &hyundai::Hyundai];
+pub const DIALECTS: &[&dyn Dialect] = &[&rapid::Rapid, &hyundai::Hyundai, &krl::Krl];
 
 /// What there is to know about a language without reading a program.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +38,19 @@ pub trait Dialect: Sync {
     /// Reads the files of one job. Never fails: what is not understood stays untouched, what is wrong is said in
     /// [`Program::diagnostics`].
     fn read(&self, files: &[Source]) -> Program;
+
+    /// The job that a file belongs to, told by its name without folder: files of this language in one folder whose
+    /// jobs have the same name are read, corrected and written together. Each file is a job of its own unless the
+    /// language says otherwise.
+    fn job_of(&self, file_name: &str) -> String {
+        file_name.to_string()
+    }
+
+    /// Names of files that many jobs share: looked for beside a job and above it, in whatever case. They are read with
+    /// every job and never written with one.
+    fn shared_files(&self) -> &'static [&'static str] {
+        &[]
+    }
 }
 
 /// The dialect with this id.
