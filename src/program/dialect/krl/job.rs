@@ -119,7 +119,7 @@ impl<'a> Job<'a> {
             let (word, rest) = first_word(bytes, span);
             let (word, rest) = if word == "global" { first_word(bytes, rest) } else { (word, rest) };
             let next = match word.as_str() {
-                "def" | "deffct" if rest.len() > 0 => {
+                "def" | "deffct" if !rest.is_empty() => {
                     let (name, parameters) = header(bytes, rest, word == "deffct");
                     opened = Some(span);
                     Some(Routine { name: Some(name), parameters, ..outside(false) })
@@ -162,9 +162,11 @@ fn header(bytes: &[u8], rest: Span, has_type: bool) -> (String, Vec<(String, boo
     let mut cursor = Cursor::new(bytes, rest);
     let mut own = name(&mut cursor);
     if has_type {
-        while cursor.peek().is_some_and(|byte| byte != b'(' && !super::statement::is_name_byte(byte)) {
-            cursor.bump();
+        if cursor.eat(b'[') {
+            cursor.skip_while(|byte| byte != b']');
+            cursor.eat(b']');
         }
+        cursor.skip_blanks();
         own = name(&mut cursor).or(own);
     }
     cursor.skip_blanks();

@@ -20,14 +20,12 @@ pub(super) fn statements(source: &Source) -> impl Iterator<Item = Span> + '_ {
 /// The part of a line before its comment; a `;` in a string is none.
 fn without_comment(bytes: &[u8], line: Span) -> Span {
     let mut in_string = false;
-    for at in line.start..line.end {
-        match bytes[at] {
-            b'"' => in_string = !in_string,
-            b';' if !in_string => return Span::new(line.start, at),
-            _ => {}
-        }
-    }
-    line
+    let is_comment = |&byte: &u8| {
+        in_string ^= byte == b'"';
+        byte == b';' && !in_string
+    };
+    let length = bytes[line.start..line.end].iter().position(is_comment);
+    Span::new(line.start, length.map_or(line.end, |length| line.start + length))
 }
 
 /// The first word of a statement in lower case and what follows it, without blanks between. System variables keep
