@@ -80,6 +80,9 @@ impl Console {
                     self.diagnostic(std::slice::from_ref(source.as_ref()), diagnostic);
                 }
             }
+            Failure::Recording(refusal) => {
+                self.diagnostic(&[], &Diagnostic::error("recording", refusal.to_string()));
+            }
             other => self.diagnostic(&[], &Diagnostic::error("usage", other.to_string())),
         }
         Exit::Bad

@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Source;
 use crate::files::error::FileError;
+use crate::identify::calibrate::Refusal;
 
 /// Exit status, as the contract has it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,6 +45,9 @@ pub enum Failure {
     /// The options do not fit together, or name something that does not exist.
     #[error("{0}")]
     Usage(String),
+    /// No model can be made from the recording.
+    #[error(transparent)]
+    Recording(#[from] Refusal),
     /// Standard output went away.
     #[error("standard output: {0}")]
     Output(io::Error),

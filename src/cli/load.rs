@@ -7,7 +7,8 @@ use crate::base::diagnostic::{Diagnostic, Severity};
 use crate::base::text::{Source, Span};
 use crate::files::calibration::{self, Calibration};
 use crate::files::cell::{self, Cell};
-use crate::files::{builtin, robot};
+use crate::files::{builtin, recording, robot};
+use crate::measure::recording::Recording;
 use crate::model::robot::Robot;
 use crate::program::dialect::{self, DIALECTS, Dialect};
 use crate::program::target::Program;
@@ -44,6 +45,11 @@ pub fn model(argument: &str) -> Result<Calibration, Failure> {
         Some(robot) => Ok(Calibration::nominal(robot?)),
         None => Ok(calibration::read(&named_source(argument)?)?),
     }
+}
+
+/// A recording of this robot.
+pub fn recording(path: &Path, robot: &Robot) -> Result<Recording, Failure> {
+    Ok(recording::read(&source(path)?, robot)?)
 }
 
 fn built_in(argument: &str) -> Option<Result<Robot, Failure>> {

@@ -4,14 +4,17 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+mod calibrate;
 mod console;
 mod correct;
 mod exit;
 mod inspect;
 mod load;
 mod output;
+mod predict;
 mod robots;
 mod simulate;
+mod validate;
 
 use console::Console;
 
@@ -31,6 +34,9 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    Calibrate(calibrate::Args),
+    Predict(predict::Args),
+    Validate(validate::Args),
     Correct(correct::Args),
     Inspect(inspect::Args),
     Simulate(simulate::Args),
@@ -42,6 +48,9 @@ pub fn main() -> ExitCode {
     let cli = Cli::parse();
     let console = Console::new();
     let result = match &cli.command {
+        Command::Calibrate(args) => calibrate::run(args, &console),
+        Command::Predict(args) => predict::run(args, &console),
+        Command::Validate(args) => validate::run(args, &console),
         Command::Correct(args) => correct::run(args, &console),
         Command::Inspect(args) => inspect::run(args, &console),
         Command::Simulate(args) => simulate::run(args, &console),

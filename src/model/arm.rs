@@ -160,6 +160,11 @@ pub enum ArmError {
 }
 
 impl<T: ModelScalar> PreparedArm<'_, T> {
+    /// The model that was prepared.
+    pub fn model(&self) -> &ArmModel {
+        self.model
+    }
+
     /// The arm at these joint numbers.
     ///
     /// Deflection depends on torque and torque on the deflected pose: rounds of both until neither changes.

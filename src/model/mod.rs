@@ -14,3 +14,4 @@ pub mod network;
 pub mod parameters;
 pub mod robot;
 pub mod statics;
+pub mod uncertainty;

@@ -237,7 +237,7 @@ pub enum Reference {
     /// The program names none: the robot's own.
     #[default]
     Unnamed,
-    /// A name, to be looked up in the program, then in the cell file. Spelled as [`Program::key`] gives it.
+    /// A name as the program spells it, to be looked up by [`Program::key`] in the program, then in the cell file.
     Named(Arc<str>),
     /// Known only at run time, with the reason.
     Runtime(String),

@@ -82,17 +82,21 @@ impl DefinitionKeys {
             return Reference::Runtime(format!("written as an expression in line {}", text.line(start)));
         }
         let written = text.source.text(text.span(range)).into_owned();
-        let named = |key: String| Reference::Named(Arc::from(key));
+        // Reports show the name as its declaration spells it; only names that several modules share need their key.
+        let named = |key: String, spelled: &str| match Program::key(spelled) == key {
+            true => Reference::Named(Arc::from(spelled)),
+            false => Reference::Named(Arc::from(key)),
+        };
         let symbol = match job.symbol(&text.key(start), scope) {
             Lookup::Found(index) => index,
             Lookup::Ambiguous => return Reference::Runtime(format!("several modules declare `{written}`")),
             // Names such as `Gripper(Closed)` are filed whole; what is declared nowhere is left to the cell file.
             Lookup::Unknown => match job.symbol(&Program::key(&written), scope) {
-                Lookup::Found(index) => return named(self.key_of(index, &written)),
+                Lookup::Found(index) => return named(self.key_of(index, &written), &job.symbols[index].display),
                 _ if job.routine(&text.key(start), scope).is_some() => {
                     return Reference::Runtime(format!("`{written}` is a function"));
                 }
-                _ => return named(Program::key(&written)),
+                _ => return named(Program::key(&written), &written),
             },
         };
         let declared = &job.symbols[symbol];
@@ -100,11 +104,12 @@ impl DefinitionKeys {
             return Reference::Runtime(format!("`{}` is a parameter of the routine", declared.display));
         }
         if range.len() == 1 {
-            return named(self.key_of(symbol, &written));
+            return named(self.key_of(symbol, &written), &declared.display);
         }
         match element_at(text, start + 1, range.end) {
             Some(label) if text.is_symbol(range.end - 1, b'}') => {
-                named(format!("{}{label}", self.key_of(symbol, &declared.display)))
+                let spelled = format!("{}{label}", declared.display);
+                named(format!("{}{label}", self.key_of(symbol, &declared.display)), &spelled)
             }
             _ => Reference::Runtime(format!("`{written}` depends on a variable")),
         }

@@ -41,8 +41,8 @@ fn a_named_target_has_its_numbers_and_all_its_uses() {
     assert_eq!(
         uses,
         [
-            ("MoveL", PathKind::Linear, &named("tgun"), &named("wa")),
-            ("movej", PathKind::Joint, &named("tother"), &named("wb"))
+            ("MoveL", PathKind::Linear, &named("tGun"), &named("wA")),
+            ("movej", PathKind::Joint, &named("tOther"), &named("WB"))
         ]
     );
     assert_eq!(&text[p1.uses[0].span.start..p1.uses[0].span.end], "MoveL P1,v100,z10,tGun\\WObj:=wA");
@@ -223,16 +223,16 @@ fn the_gripped_load_follows_the_program() {
     let m = "MoveL p1,v1,z1,t;";
     assert_eq!(
         grips(&format!("{m}\nGripLoad ldA;\n{m}\nGripLoad load0;\n{m}")),
-        [Reference::Unnamed, named("lda"), named("load0")]
+        [Reference::Unnamed, named("ldA"), named("load0")]
     );
     let branches =
         grips(&format!("IF a=1 THEN\nGripLoad ldA;\n{m}\nELSE\nGripLoad ldA;\nENDIF\n{m}\nIF a=2 GripLoad ldB;\n{m}"));
-    assert_eq!(branches[..2], [named("lda"), named("lda")]);
+    assert_eq!(branches[..2], [named("ldA"), named("ldA")]);
     assert!(matches!(branches[2], Reference::Runtime(_)));
     let in_loop = grips(&format!("GripLoad load0;\nWHILE TRUE DO\n{m}\nGripLoad ldA;\nENDWHILE"));
     assert!(matches!(in_loop[0], Reference::Runtime(_)));
     let left = grips(&format!("GripLoad ldA;\nIF a=1 THEN\nGripLoad load0;\nRETURN;\nENDIF\n{m}"));
-    assert_eq!(left, [named("lda")]);
+    assert_eq!(left, [named("ldA")]);
 }
 
 #[test]
@@ -241,7 +241,7 @@ fn the_gripped_load_crosses_calls() {
     let called = grips(&format!(
         "take;\n{m}\nput;\nGripLoad ldA;\nuse;\nENDPROC\nPROC take()\nGripLoad ldA;\nENDPROC\nPROC put()\nENDPROC\nPROC use()\n{m}"
     ));
-    assert_eq!(called, [named("lda"), named("lda")]);
+    assert_eq!(called, [named("ldA"), named("ldA")]);
 }
 
 #[test]
@@ -288,7 +288,7 @@ fn invalid_names_of_off_line_tools_are_kept_whole() {
         "PERS tooldata Grip(Closed):=[TRUE,[[0,0,1],[1,0,0,0]],[1,[0,0,20],[1,0,0,0],0,0,0]];\n\
          MoveAbsJ [[0,0,0,0,0,0]],v50,z1,Grip(Closed) \\WObj:=Frame2;",
     );
-    assert_eq!(program.targets[0].uses[0].tool, named("grip(closed)"));
+    assert_eq!(program.targets[0].uses[0].tool, named("Grip(Closed)"));
     assert!(program.tools.contains_key("grip(closed)"));
 }
 

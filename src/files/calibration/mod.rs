@@ -6,15 +6,24 @@ use serde::{Deserialize, Serialize};
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
 use crate::base::units::{deg_from_rad, rad_from_deg};
+use crate::geometry::pose::Pose;
 use crate::model::arm::{ArmModel, EffectInstance};
 use crate::model::effect::{self, Location};
 use crate::model::network::ResidualNetwork;
-use crate::model::parameters::{ParameterId, Rod, RowQuantity};
+use crate::model::parameters::ParameterId;
 use crate::model::robot::DOF;
+use crate::model::uncertainty::Uncertainty;
 
 use super::error::FileError;
 use super::robot::{self, RobotEntry};
 use super::yaml::{PoseEntry, complain, parse};
+
+mod names;
+mod uncertainty;
+
+use names::{geometry_id, geometry_ids};
+pub use names::{geometry_name, geometry_unit};
+use uncertainty::UncertaintyEntry;
 
 /// The word in the first line of a model file.
 pub const MODEL_SCHEMA: &str = "falsetarget/model/1";
@@ -29,12 +38,26 @@ const LARGEST_ERROR: f64 = 0.2;
 pub struct Calibration {
     /// The model.
     pub arm: ArmModel,
-    /// Standard uncertainty of parameters, in their SI unit; absent for those that were not identified.
+    /// Standard uncertainty of parameters, in their SI unit, where a file states no more than that; absent for those
+    /// that were not identified.
     pub sigma: Vec<(ParameterId, f64)>,
+    /// The whole covariance and what stays unexplained, where the tool identified the model itself.
+    pub uncertainty: Option<Uncertainty>,
+    /// Trackers that stood elsewhere than the measuring frame.
+    pub stations: Vec<StationFrame>,
     /// The joint numbers that the recordings covered.
     pub region: Option<Region>,
     /// Where it comes from.
     pub provenance: Option<Provenance>,
+}
+
+/// Where a tracker stood that does not measure in the measuring frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StationFrame {
+    /// Its name in recordings.
+    pub name: String,
+    /// `station_T_measuring`.
+    pub station_t_measuring: Pose,
 }
 
 /// A box of joint numbers.
@@ -89,10 +112,21 @@ struct ModelEntry {
     effects: Vec<EffectEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     network: Option<ResidualNetwork>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    stations: Vec<StationEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     region: Option<RegionEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     provenance: Option<Provenance>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uncertainty: Option<UncertaintyEntry>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StationEntry {
+    name: String,
+    station_t_measuring: PoseEntry,
 }
 
 #[derive(Deserialize)]
@@ -164,7 +198,20 @@ struct SchemaOnly {
 impl Calibration {
     /// What a robot file alone says.
     pub fn nominal(robot: crate::model::robot::Robot) -> Self {
-        Self { arm: ArmModel::nominal(robot), sigma: Vec::new(), region: None, provenance: None }
+        Self {
+            arm: ArmModel::nominal(robot),
+            sigma: Vec::new(),
+            uncertainty: None,
+            stations: Vec::new(),
+            region: None,
+            provenance: None,
+        }
+    }
+
+    /// Standard uncertainty of a number; `None` where it was not identified.
+    pub fn sigma_of(&self, id: ParameterId) -> Option<f64> {
+        let whole = self.uncertainty.as_ref().and_then(|uncertainty| uncertainty.sigma(id));
+        whole.or_else(|| self.sigma.iter().find(|(known, _)| *known == id).map(|(_, sigma)| *sigma))
     }
 }
 
@@ -196,12 +243,30 @@ pub fn read(source: &Source) -> Result<Calibration, FileError> {
         arm.flange_t_tool = pose;
     }
     let mut sigma = fill_geometry(source, &mut arm, &entry.parameters)?;
-    sigma.extend(fill_effects(source, &mut arm, &entry.effects)?);
+    let (places, effect_sigma) = fill_effects(source, &mut arm, &entry.effects)?;
+    sigma.extend(effect_sigma);
     fill_network(source, &mut arm, entry.network)?;
+    let stations = entry
+        .stations
+        .iter()
+        .map(|station| {
+            let name = station.name.clone();
+            let pose = finite("stations", Some(station.station_t_measuring))?.unwrap_or_else(Pose::identity);
+            Ok(StationFrame { name, station_t_measuring: pose })
+        })
+        .collect::<Result<_, FileError>>()?;
+    let uncertainty = match &entry.uncertainty {
+        Some(entry) => Some(entry.uncertainty(source, &arm, &places)?),
+        None => None,
+    };
+    if uncertainty.is_some() {
+        // One truth: the covariance says more than the sigmas beside the values.
+        sigma.clear();
+    }
     let region = entry
         .region
         .map(|region| Region { min_rad: region.min_deg.map(rad_from_deg), max_rad: region.max_deg.map(rad_from_deg) });
-    Ok(Calibration { arm, sigma, region, provenance: entry.provenance })
+    Ok(Calibration { arm, sigma, uncertainty, stations, region, provenance: entry.provenance })
 }
 
 /// Reads an effects file for this robot.
@@ -260,8 +325,8 @@ fn fill_geometry(
             );
             return wrong("parameter", message);
         };
-        if entry.unit != unit_of(id) {
-            let message = format!("unit `{}`; `{}` is given in {}", entry.unit, entry.quantity, unit_of(id));
+        if entry.unit != geometry_unit(id) {
+            let message = format!("unit `{}`; `{}` is given in {}", entry.unit, entry.quantity, geometry_unit(id));
             return wrong("unit", message);
         }
         if !entry.value.is_finite() || entry.value.abs() > LARGEST_ERROR {
@@ -277,12 +342,15 @@ fn fill_geometry(
     Ok(sigma)
 }
 
+/// Puts the effects of a file into the model. Returns the model's index of each, and the sigmas that stand beside the
+/// values.
 fn fill_effects(
     source: &Source,
     arm: &mut ArmModel,
     entries: &[EffectEntry],
-) -> Result<Vec<(ParameterId, f64)>, FileError> {
+) -> Result<(Vec<usize>, Vec<(ParameterId, f64)>), FileError> {
     let mut sigma = Vec::new();
+    let mut places = Vec::with_capacity(entries.len());
     for (index, entry) in entries.iter().enumerate() {
         let wrong = |message| complain(source, "effects", Some(index), "effect", message);
         let effect = effect::by_id(&entry.effect).ok_or_else(|| {
@@ -315,8 +383,9 @@ fn fill_effects(
         } else {
             arm.parameters.effects[at] = values;
         }
+        places.push(at);
     }
-    Ok(sigma)
+    Ok((places, sigma))
 }
 
 fn fill_network(source: &Source, arm: &mut ArmModel, network: Option<ResidualNetwork>) -> Result<(), FileError> {
@@ -333,7 +402,7 @@ fn fill_network(source: &Source, arm: &mut ArmModel, network: Option<ResidualNet
 /// [`serde_yaml::Error`] when the library cannot write it, which no model is known to cause.
 pub fn write(calibration: &Calibration) -> Result<String, serde_yaml::Error> {
     let arm = &calibration.arm;
-    let sigma_of = |id: ParameterId| calibration.sigma.iter().find(|(known, _)| *known == id).map(|(_, sigma)| *sigma);
+    let sigma_of = |id: ParameterId| calibration.sigma_of(id);
     let parameters = geometry_ids()
         .filter_map(|id| {
             let value = arm.parameters.clone().get_mut(id).copied()?;
@@ -342,15 +411,19 @@ pub fn write(calibration: &Calibration) -> Result<String, serde_yaml::Error> {
                 return None;
             }
             let (at, quantity) = geometry_name(id)?;
-            Some(GeometryEntry { at, quantity, value, unit: unit_of(id).into(), sigma })
+            Some(GeometryEntry { at, quantity, value, unit: geometry_unit(id).into(), sigma })
         })
         .collect();
-    let effects = arm
-        .effects
+    // An effect that is zero and that nobody has asked about is no news.
+    let told = |index: usize, values: &[f64]| {
+        let identified = (0..values.len()).any(|slot| sigma_of(ParameterId::Effect(index, slot)).is_some());
+        identified || values.iter().any(|&value| value != 0.0)
+    };
+    let places: Vec<usize> =
+        (0..arm.effects.len()).filter(|&index| told(index, &arm.parameters.effects[index])).collect();
+    let effects = places
         .iter()
-        .zip(&arm.parameters.effects)
-        .enumerate()
-        .filter(|(_, (_, values))| values.iter().any(|&value| value != 0.0))
+        .map(|&index| (index, (&arm.effects[index], &arm.parameters.effects[index])))
         .map(|(index, (instance, values))| EffectEntry {
             effect: instance.effect.meta().id.into(),
             location: instance.location,
@@ -382,59 +455,50 @@ pub fn write(calibration: &Calibration) -> Result<String, serde_yaml::Error> {
             min_deg: region.min_rad.map(deg_from_rad),
             max_deg: region.max_rad.map(deg_from_rad),
         }),
+        stations: calibration
+            .stations
+            .iter()
+            .map(|station| StationEntry {
+                name: station.name.clone(),
+                station_t_measuring: PoseEntry::from_pose(&station.station_t_measuring),
+            })
+            .collect(),
         provenance: calibration.provenance.clone(),
+        uncertainty: calibration.uncertainty.as_ref().map(|known| UncertaintyEntry::new(known, arm, &places)),
     };
     serde_yaml::to_string(&entry)
-}
-
-const COMPONENTS: [&str; 6] = ["x", "y", "z", "rx", "ry", "rz"];
-const QUANTITIES: [(&str, RowQuantity); 5] = [
-    ("offset", RowQuantity::Offset),
-    ("d", RowQuantity::D),
-    ("a", RowQuantity::A),
-    ("alpha", RowQuantity::Alpha),
-    ("beta", RowQuantity::Beta),
-];
-const RODS: [(&str, Rod); 2] = [("crank", Rod::Crank), ("coupler", Rod::Coupler)];
-
-/// All geometric parameters, in the order in which files list them.
-fn geometry_ids() -> impl Iterator<Item = ParameterId> {
-    let base = (0..6).map(ParameterId::Base);
-    let rows = (0..DOF).flat_map(|joint| QUANTITIES.map(|(_, quantity)| ParameterId::Row(joint, quantity)));
-    let rods = RODS.map(|(_, rod)| ParameterId::Loop(rod));
-    base.chain(rows).chain(rods).chain((0..6).map(ParameterId::Tool))
-}
-
-/// `("joint 2", "a")`; `None` for parameters of effects.
-pub fn geometry_name(id: ParameterId) -> Option<(String, String)> {
-    Some(match id {
-        ParameterId::Row(joint, quantity) => {
-            let (name, _) = QUANTITIES.iter().find(|(_, known)| *known == quantity)?;
-            (format!("joint {}", joint + 1), (*name).to_string())
-        }
-        ParameterId::Base(component) => ("base".into(), (*COMPONENTS.get(component)?).into()),
-        ParameterId::Tool(component) => ("tool".into(), (*COMPONENTS.get(component)?).into()),
-        ParameterId::Loop(rod) => ("loop".into(), RODS.iter().find(|(_, known)| *known == rod)?.0.into()),
-        ParameterId::Effect(..) => return None,
-    })
-}
-
-fn geometry_id(at: &str, quantity: &str) -> Option<ParameterId> {
-    geometry_ids().find(|&id| geometry_name(id).is_some_and(|(place, name)| place == at && name == quantity))
-}
-
-fn unit_of(id: ParameterId) -> &'static str {
-    match id {
-        ParameterId::Row(_, RowQuantity::D | RowQuantity::A) | ParameterId::Loop(_) => "m",
-        ParameterId::Base(component) | ParameterId::Tool(component) if component < 3 => "m",
-        _ => "rad",
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::files::builtin;
+    use crate::model::parameters::RowQuantity;
+
+    #[test]
+    fn covariance_and_stations_go_round_and_bad_ones_are_refused() {
+        let source = Source::new("m.yaml", model_text());
+        let mut calibration = read(&source).expect("readable");
+        let ids = vec![ParameterId::Row(1, RowQuantity::A), ParameterId::Effect(1, 0), ParameterId::Effect(4, 0)];
+        let covariance = nalgebra::DMatrix::from_row_slice(3, 3, &[4e-10, 1e-15, 0., 1e-15, 1e-18, 0., 0., 0., 2e-18]);
+        let (noise_sigma_m, unexplained_sigma_m) = (4e-5, 1e-4);
+        let uncertainty = Uncertainty { ids, covariance, freedom: 686.5, noise_sigma_m, unexplained_sigma_m };
+        calibration.uncertainty = Some(uncertainty.clone());
+        let station_t_measuring = Pose::from_translation(nalgebra::Vector3::new(1.5, 0.0, -0.25));
+        calibration.stations = vec![StationFrame { name: "S2".into(), station_t_measuring }];
+        let text = write(&calibration).expect("writable");
+        let again = read(&Source::new("m.yaml", text.clone())).expect(&text);
+        // An identified compliance of zero is written too: the model knows that it is nearly zero.
+        assert_eq!(again.uncertainty, Some(uncertainty));
+        assert_eq!(again.stations, calibration.stations);
+        assert_eq!(again.sigma_of(ParameterId::Row(1, RowQuantity::A)), Some(2e-5));
+        assert_eq!(write(&again).expect("writable"), text);
+        for (from, to) in [("joint 2 a", "joint 7 a"), ("freedom: 686.5", "freedom: -1.0"), ("- - 4e-10", "- - -1.0")] {
+            assert!(text.contains(from), "{from} in {text}");
+            let error = read(&Source::new("m.yaml", text.replacen(from, to, 1))).expect_err(to);
+            assert_eq!(error.diagnostic.code, "uncertainty", "{to}");
+        }
+    }
 
     fn model_text() -> String {
         let robot = builtin::by_name("hh800-class").expect("built in").expect("sound");

@@ -1,0 +1,346 @@
+//! The whole way from recordings to a model: check, place, split, identify, judge.
+
+use crate::base::units::mm_from_m;
+use crate::measure::observation::Observation;
+use crate::measure::recording::Recording;
+use crate::model::arm::ArmModel;
+
+use super::estimate::{Estimate, START_PER_REACH, START_RAD, estimate};
+use super::gather::{Entry, Gathered, LeftOut, gather};
+use super::identifiability::{Selection, select};
+use super::identify::{Identified, IdentifyError, deviations, identify};
+use super::outlier::{Scene, explain};
+use super::prior::{reach_m, unknown_of, unknowns_of_station};
+use super::problem::{NoPose, Problem, Record, expected_pose};
+use super::robust;
+use super::sanity::{self, Misread};
+use super::split::{Split, SplitSource, split};
+use super::state::State;
+use super::stations::{self, Grouping};
+use super::unknown::{Scope, Unknown, model_ids};
+
+/// What a person may decide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Seed of everything that is drawn.
+    pub seed: u64,
+    /// Standard uncertainty of positions per axis, m, for records that state none.
+    pub sigma_m: Option<f64>,
+    /// Fit the delivered model to training records too. The stages never see them.
+    pub refit_with_training: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { seed: 1, sigma_m: None, refit_with_training: true }
+    }
+}
+
+/// Why there is no model.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum Refusal {
+    /// Too few records.
+    #[error("{measured} records with a measured position; at least {FEWEST_RECORDS} are needed")]
+    TooFewRecords {
+        /// How many there are.
+        measured: usize,
+    },
+    /// No record to identify from.
+    #[error("no record is in the `identify` or `train` set")]
+    NothingToIdentifyFrom,
+    /// The recording is not what it seems.
+    #[error(transparent)]
+    Misread(#[from] Misread),
+    /// The identification failed.
+    #[error(transparent)]
+    Identify(#[from] IdentifyError),
+    /// What is left is too large for this to be a model of the arm.
+    #[error(
+        "after identification {left_mm:.2} mm per axis are left, more than any arm of this size does: the records are not of \
+         one robot with one tool, or its nominal numbers are wrong"
+    )]
+    DoesNotFit {
+        /// Standard deviation per axis, mm.
+        left_mm: f64,
+    },
+}
+
+impl From<NoPose> for Refusal {
+    fn from(error: NoPose) -> Self {
+        Refusal::Identify(error.into())
+    }
+}
+
+/// Fewest records that are fitted.
+pub const FEWEST_RECORDS: usize = 10;
+/// Residuals beyond this part of the reach are no model of the arm.
+const LARGEST_REST: f64 = 1.5e-3;
+
+/// One step of the stage table with its state.
+#[derive(Clone, Debug)]
+pub struct StageState {
+    /// Its name.
+    pub name: &'static str,
+    /// How many numbers were free.
+    pub free: usize,
+    /// The state.
+    pub state: State,
+}
+
+/// What a calibration found, before it is written down.
+#[derive(Clone, Debug)]
+pub struct Outcome<'a> {
+    /// The nominal model with base and tool where they were placed.
+    pub nominal: ArmModel,
+    /// All usable records, with the sigmas of the delivered fit.
+    pub problem: Problem<'a>,
+    /// They again, with their files.
+    pub entries: Vec<Entry<'a>>,
+    /// Who may use which of them.
+    pub split: Split,
+    /// Stations and who belongs to which.
+    pub grouping: Grouping,
+    /// Stations with a frame of their own.
+    pub own_frame: Vec<bool>,
+    /// Nominal, frames, geometry, geometry and compliance.
+    pub stages: Vec<StageState>,
+    /// The delivered fit.
+    pub delivered: Estimate<'a>,
+    /// Indices of the records that it was fitted to.
+    pub fitted: Vec<usize>,
+    /// For each usable record: false when it is a gross error.
+    pub sound: Vec<bool>,
+    /// What was free and what was redundant.
+    pub selection: Selection,
+    /// Records that were not used.
+    pub left_out: Vec<LeftOut>,
+    /// True when records state their sigma.
+    pub sigma_stated: bool,
+}
+
+/// Identifies a robot from recordings.
+///
+/// # Arguments
+/// * `start` - the nominal arm, or a model whose values are where the fit starts
+/// * `progress` - told of each step
+///
+/// # Errors
+/// [`Refusal`] with a sentence for the person who made the recording.
+pub fn calibrate<'a>(
+    start: &ArmModel,
+    recordings: &'a [Recording],
+    options: &Options,
+    progress: &mut dyn FnMut(&str),
+) -> Result<Outcome<'a>, Refusal> {
+    progress("reading records");
+    let Gathered { entries, mut left_out } = gather(start, recordings);
+    if entries.len() < FEWEST_RECORDS {
+        let mostly_impossible =
+            left_out.iter().filter(|left| left.reason.code() == "impossible").count() > entries.len();
+        return Err(if mostly_impossible {
+            Misread::Impossible.into()
+        } else {
+            Refusal::TooFewRecords { measured: entries.len() }
+        });
+    }
+    progress("placing the robot");
+    let grouping = stations::group(&entries, recordings);
+    let reference: Vec<&Observation> =
+        stations::members_of(&grouping, 0).into_iter().map(|index| entries[index].observation).collect();
+    let checked = sanity::check(start, &reference)?;
+    let placed = stations::start(start, &entries, &grouping, &checked.placement);
+    let nominal = placed.state.model.clone();
+    let observations: Vec<&Observation> = entries.iter().map(|entry| entry.observation).collect();
+    let split = split(&observations, options.seed);
+    if split.identify.is_empty() {
+        return Err(Refusal::NothingToIdentifyFrom);
+    }
+    let (problem, sigma_stated) = problem_of(&entries, &grouping, &nominal, options);
+
+    progress("identifying");
+    let for_identification = problem.subset(&split.identify);
+    let (own_frame, state) = settle_stations(&for_identification, &nominal, placed, options)?;
+    let selection = selection(&for_identification, &state, Scope::Everything, &own_frame, options)?;
+    let Identified { estimate: identified, kept, excluded } =
+        identify(&for_identification, state.clone(), &selection.free, sigma_stated)?;
+    check_rest(&identified, &nominal)?;
+    let kept: Vec<usize> = kept.into_iter().map(|index| split.identify[index]).collect();
+    let excluded: Vec<usize> = excluded.into_iter().map(|index| split.identify[index]).collect();
+
+    progress("testing every record");
+    let in_fit: Vec<bool> = (0..entries.len()).map(|index| kept.contains(&index)).collect();
+    let limit = robust::limit(entries.len());
+    let far = deviations(&problem, &identified, &in_fit)?;
+    let sound: Vec<bool> =
+        (0..entries.len()).map(|index| !excluded.contains(&index) && (in_fit[index] || far[index] <= limit)).collect();
+    left_out.extend(reasons(&problem, &entries, &identified, &sound, limit)?);
+
+    progress("fitting the stages");
+    let kept_problem = problem.subset(&kept);
+    let mut stages = vec![StageState { name: "nominal", free: 0, state: state.clone() }];
+    for (name, scope) in [("frames", Scope::Frames), ("geometry", Scope::Geometry)] {
+        let free = self::selection(&kept_problem, &state, scope, &own_frame, options)?.free;
+        let fitted = estimate(kept_problem.clone(), state.clone(), &free, sigma_stated)?;
+        stages.push(StageState { name, free: free.len(), state: fitted.fit.state });
+    }
+    if selection.free.len() > stages.last().map_or(0, |stage| stage.free) {
+        let state = identified.fit.state.clone();
+        stages.push(StageState { name: "geometry_compliance", free: selection.free.len(), state });
+    }
+
+    let fitted = records_for_delivery(&split, &sound, options);
+    let delivered = if fitted == kept {
+        identified
+    } else {
+        progress("fitting the delivered model");
+        estimate(problem.subset(&fitted), identified.fit.state, &selection.free, sigma_stated)?
+    };
+    let mut problem = problem;
+    for record in &mut problem.records {
+        record.sigma_m *= delivered.scale;
+    }
+    Ok(Outcome {
+        nominal,
+        problem,
+        entries,
+        split,
+        grouping,
+        own_frame,
+        stages,
+        delivered,
+        fitted,
+        sound,
+        selection,
+        left_out,
+        sigma_stated,
+    })
+}
+
+/// All usable records; true when their sigmas are stated.
+fn problem_of<'a>(
+    entries: &[Entry<'a>],
+    grouping: &Grouping,
+    nominal: &ArmModel,
+    options: &Options,
+) -> (Problem<'a>, bool) {
+    let mut stated: Vec<f64> = entries.iter().filter_map(|entry| entry.observation.sigma_m).collect();
+    let sigma_stated = !stated.is_empty() || options.sigma_m.is_some();
+    // Where some records state their sigma and others do not, the others are taken for typical ones.
+    let typical = if stated.is_empty() { START_PER_REACH * reach_m(&nominal.robot) } else { robust::median(&stated) };
+    stated.clear();
+    let fallback = options.sigma_m.unwrap_or(typical);
+    let records = entries
+        .iter()
+        .zip(&grouping.station_of)
+        .map(|(entry, &station)| Record {
+            observation: entry.observation,
+            measured: entry.measured,
+            station,
+            sigma_m: entry.observation.sigma_m.unwrap_or(fallback),
+            sigma_rad: entry.observation.sigma_rad.unwrap_or(START_RAD),
+        })
+        .collect();
+    (Problem { records }, sigma_stated)
+}
+
+/// Gives a frame to every station that has moved, one after the other.
+fn settle_stations(
+    problem: &Problem<'_>,
+    nominal: &ArmModel,
+    placed: stations::Start,
+    options: &Options,
+) -> Result<(Vec<bool>, State), Refusal> {
+    let stations::Start { state, mut own_frame } = placed;
+    let mut remaining = own_frame.iter().filter(|own| !**own).count();
+    while remaining > 1 {
+        let free = selection(problem, &state, Scope::Everything, &own_frame, options)?.free;
+        let fitted = robust::fit(problem, State { model: nominal.clone(), ..state.clone() }, &free)?;
+        match stations::moved(problem, &fitted, &own_frame)? {
+            Some(station) => own_frame[station] = true,
+            None => break,
+        }
+        remaining -= 1;
+    }
+    Ok((own_frame, state))
+}
+
+/// What `scope` frees, stations' frames included, less what is redundant.
+fn selection(
+    problem: &Problem<'_>,
+    state: &State,
+    scope: Scope,
+    own_frame: &[bool],
+    options: &Options,
+) -> Result<Selection, NoPose> {
+    let with_rotation = problem.records.iter().any(|record| record.measured.rotation.is_some());
+    let torque = problem.largest_torque_nm(state);
+    let mut unknowns: Vec<Unknown> = model_ids(&state.model, scope, with_rotation)
+        .into_iter()
+        .map(|id| unknown_of(id, &state.model, &torque))
+        .collect();
+    // Frames first: what a row says as well as a frame is the frame's.
+    let frames = model_ids(&state.model, Scope::Frames, with_rotation).len();
+    let stations = (0..own_frame.len()).filter(|&station| own_frame[station]).flat_map(unknowns_of_station);
+    unknowns.splice(frames..frames, stations.collect::<Vec<_>>());
+    select(problem, state, unknowns, options.seed)
+}
+
+fn check_rest(identified: &Estimate<'_>, nominal: &ArmModel) -> Result<(), Refusal> {
+    if identified.spread.sigma_m > LARGEST_REST * reach_m(&nominal.robot) {
+        return Err(Refusal::DoesNotFit { left_mm: mm_from_m(identified.spread.sigma_m) });
+    }
+    Ok(())
+}
+
+/// The gross errors with what explains them.
+fn reasons(
+    problem: &Problem<'_>,
+    entries: &[Entry<'_>],
+    identified: &Estimate<'_>,
+    sound: &[bool],
+    limit: f64,
+) -> Result<Vec<LeftOut>, NoPose> {
+    let state = &identified.fit.state;
+    let arm = state.model.prepared();
+    let lengths = robust::lengths_of(problem, &problem.residuals(state)?);
+    let frames: Vec<_> = state.stations.iter().map(super::state::Station::pose).collect();
+    let expected: Vec<_> = problem
+        .records
+        .iter()
+        .filter_map(|record| {
+            let pose = expected_pose(&arm, &frames[record.station], record.observation).ok()?;
+            Some((record.observation.id.clone(), pose.translation))
+        })
+        .collect();
+    let scene = Scene { arm: &arm, expected: &expected };
+    let gross = (0..entries.len()).filter(|&index| !sound[index]);
+    Ok(gross
+        .map(|index| {
+            let record = &problem.records[index];
+            let limit_m = limit * record.sigma_m * identified.scale;
+            LeftOut {
+                recording: entries[index].recording,
+                id: record.observation.id.clone(),
+                line: record.observation.line,
+                away_m: Some(lengths[index]),
+                reason: explain(&scene, record.observation, &frames[record.station], limit_m),
+            }
+        })
+        .collect())
+}
+
+/// Which records the delivered model is fitted to: identification records, training records where wanted, and all
+/// records where it was the tool that held some out for its figures.
+fn records_for_delivery(split: &Split, sound: &[bool], options: &Options) -> Vec<usize> {
+    let mut chosen = split.identify.clone();
+    if options.refit_with_training {
+        chosen.extend(&split.train);
+    }
+    if split.source == SplitSource::Regions {
+        chosen.extend(&split.validate);
+    }
+    chosen.sort_unstable();
+    chosen.dedup();
+    chosen.retain(|&index| sound[index]);
+    chosen
+}
