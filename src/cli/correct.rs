@@ -2,14 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
-
 use crate::base::diagnostic::{Diagnostic, Severity};
-use crate::base::text::Source;
 use crate::files::calibration::Calibration;
 use crate::files::cell::Cell;
 use crate::kinematics::controller::Controller;
-use crate::program::dialect::{self, Dialect};
+use crate::program::dialect::Dialect;
 use crate::report::targets::{FileReport, TargetsReport, files};
 use crate::rewrite::class::Class;
 use crate::rewrite::correct::{Job, Options, correct};
@@ -17,8 +14,8 @@ use crate::rewrite::outcome::Outcome;
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
-use super::load::{self, Loaded};
-use super::output;
+use super::job::{self, Loaded};
+use super::{batch, load, output};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -34,6 +31,9 @@ Examples:
 ///
 /// Every target is listed as corrected, joint (left alone unless --joint-targets), computed (its value is not in the
 /// text) or refused (no solution). One refused target and nothing is written, unless --allow-partial.
+///
+/// Files that belong together (KUKA .src and .dat of one name) are one job: given one of them the others are read from
+/// beside it, and --out-dir writes all of them. Files that jobs share (KUKA $config.dat) are read and never written.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -45,16 +45,16 @@ pub struct Args {
     cell: Option<PathBuf>,
     /// Take the programs as this language instead of telling it from their content
     #[arg(long, value_name = "NAME", value_parser = load::parse_dialect)]
-    dialect: Option<&'static dyn Dialect>,
+    pub(super) dialect: Option<&'static dyn Dialect>,
     /// Write what happened to every target as JSON (falsetarget/targets/1); `-` for standard output
     #[arg(long, value_name = "R.json")]
-    report: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
     /// Correct joint targets too: they are taken to mean the pose that the nominal robot has there
     #[arg(long)]
     joint_targets: bool,
     /// Write the file although some targets are refused; those stay as they are
     #[arg(long)]
-    allow_partial: bool,
+    pub(super) allow_partial: bool,
     /// Refuse targets outside the joint region that the recordings covered
     #[arg(long)]
     inside_only: bool,
@@ -69,14 +69,14 @@ pub struct Args {
     out_dir: Option<PathBuf>,
     /// Number of programs corrected at once [default: one a processor]
     #[arg(long, value_name = "N")]
-    jobs: Option<usize>,
+    pub(super) jobs: Option<usize>,
     /// Programs, or folders with --out-dir
     #[arg(value_name = "PROGRAM")]
-    programs: Vec<PathBuf>,
+    pub(super) programs: Vec<PathBuf>,
 }
 
 /// What every file of a run shares.
-struct Shop<'a> {
+pub(super) struct Shop<'a> {
     args: &'a Args,
     calibration: Calibration,
     controller: Controller,
@@ -84,11 +84,12 @@ struct Shop<'a> {
     options: Options,
 }
 
-/// A corrected file, not yet written.
-struct Corrected {
+/// A corrected job, not yet written.
+pub(super) struct Corrected {
     loaded: Loaded,
     outcome: Outcome,
-    bytes: Vec<u8>,
+    /// The job's own files.
+    files: Vec<Vec<u8>>,
 }
 
 pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
@@ -97,7 +98,7 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     let controller = Controller::new(&calibration.arm.robot);
     let shop = Shop { args, calibration, controller, cell: load::cell(args.cell.as_deref())?, options };
     match &args.out_dir {
-        Some(out_dir) => many(&shop, out_dir, console),
+        Some(out_dir) => batch::run(&shop, out_dir, console),
         None => one(&shop, console),
     }
 }
@@ -111,10 +112,10 @@ fn region(args: &Args, calibration: &Calibration) -> Result<Option<crate::files:
 }
 
 fn one(shop: &Shop<'_>, console: &Console) -> Result<Exit, Failure> {
-    let source = match &shop.args.programs[..] {
-        [] => load::standard_input()?,
-        [path] if path.as_os_str() == "-" => load::standard_input()?,
-        [path] => load::source(path)?,
+    let file = match &shop.args.programs[..] {
+        [] => None,
+        [path] if path.as_os_str() == "-" => None,
+        [path] => Some(path),
         _ => return Err(Failure::Usage("several programs need --out-dir".into())),
     };
     let output = shop.args.output.clone().unwrap_or_else(|| PathBuf::from("-"));
@@ -127,138 +128,45 @@ fn one(shop: &Shop<'_>, console: &Console) -> Result<Exit, Failure> {
     if both_on_stdout {
         return Err(Failure::Usage("the program and the report cannot both go to standard output".into()));
     }
-    let corrected = shop.correct(source)?;
+    let loaded = match file {
+        Some(path) => job::of_file(path, shop.args.dialect)?,
+        None => job::of_standard_input(shop.args.dialect)?,
+    };
+    let corrected = shop.correct(loaded)?;
     tell(console, &corrected);
     if let Some(path) = &shop.args.report {
         output::write_json(path, &TargetsReport::new(corrected.reports()))?;
     }
-    if corrected.outcome.count(Class::Refused) > 0 && !shop.args.allow_partial {
+    if corrected.is_refused() && !shop.args.allow_partial {
         console.say("nothing is written; --allow-partial writes the rest and leaves refused targets as they are");
         return Ok(Exit::No);
     }
-    output::write(&output, &corrected.bytes)?;
-    Ok(if corrected.outcome.count(Class::Refused) > 0 { Exit::No } else { Exit::Done })
+    if let Some(other) = corrected.changed().find(|&file| file > 0) {
+        let name = corrected.loaded.sources[other].name();
+        let message = format!("targets of this program stand in {name}: --out-dir DIR writes all files of the job");
+        return Err(Failure::Usage(message));
+    }
+    output::write(&output, &corrected.files[0])?;
+    Ok(if corrected.is_refused() { Exit::No } else { Exit::Done })
 }
 
-fn same_file(a: &Path, b: &Path) -> bool {
+pub(super) fn same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
-/// One input of a batch and where its output goes.
-struct Item {
-    input: PathBuf,
-    output: PathBuf,
-}
+impl<'a> Shop<'a> {
+    /// What the user asked for.
+    pub(super) fn args(&self) -> &'a Args {
+        self.args
+    }
 
-fn many(shop: &Shop<'_>, out_dir: &Path, console: &Console) -> Result<Exit, Failure> {
-    let items = items(&shop.args.programs, out_dir)?;
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(shop.args.jobs.unwrap_or(0))
-        .build()
-        .map_err(|error| Failure::Usage(format!("--jobs: {error}")))?;
-    let progress = match console.is_terminal() {
-        true => indicatif::ProgressBar::new(items.len() as u64),
-        false => indicatif::ProgressBar::hidden(),
-    };
-    let results: Vec<Result<Option<Vec<FileReport>>, Failure>> = pool.install(|| {
-        items
-            .par_iter()
-            .map(|item| {
-                let result = batch_file(shop, item, console);
-                progress.inc(1);
-                result
-            })
-            .collect()
-    });
-    progress.finish_and_clear();
-    let (mut exit, mut reports, mut skipped) = (Exit::Done, Vec::new(), 0);
-    for result in results {
-        match result {
-            Ok(Some(files)) => reports.extend(files),
-            Ok(None) => skipped += 1,
-            Err(failure) => {
-                console.failure(&failure);
-                exit = Exit::No;
-            }
-        }
-    }
-    let report = TargetsReport::new(reports);
-    let summary = report.summary;
-    console.say(&format!(
-        "{} file(s): {} corrected, {} joint, {} computed, {} refused; {skipped} other file(s) are no robot programs",
-        summary.files, summary.corrected, summary.joint, summary.computed, summary.refused
-    ));
-    if let Some(path) = &shop.args.report {
-        output::write_json(path, &report)?;
-    }
-    Ok(if summary.refused > 0 { exit.max(Exit::No) } else { exit })
-}
-
-/// Corrects and writes one file of a batch; `None` for a file that is no robot program.
-fn batch_file(shop: &Shop<'_>, item: &Item, console: &Console) -> Result<Option<Vec<FileReport>>, Failure> {
-    let source = load::source(&item.input)?;
-    if shop.args.dialect.is_none() && dialect::detect(&source).is_none() {
-        console.say(&format!("{}: no robot program that this tool knows; not copied", item.input.display()));
-        return Ok(None);
-    }
-    let corrected = shop.correct(source)?;
-    tell(console, &corrected);
-    if corrected.outcome.count(Class::Refused) == 0 || shop.args.allow_partial {
-        if let Some(folder) = item.output.parent() {
-            std::fs::create_dir_all(folder).map_err(|error| Failure::file(folder, error))?;
-        }
-        output::write(&item.output, &corrected.bytes)?;
-    }
-    Ok(Some(corrected.reports()))
-}
-
-/// The files of a batch, folders walked, in a stable order.
-fn items(programs: &[PathBuf], out_dir: &Path) -> Result<Vec<Item>, Failure> {
-    if programs.is_empty() {
-        return Err(Failure::Usage("--out-dir needs at least one PROGRAM or folder".into()));
-    }
-    let mut items = Vec::new();
-    for program in programs {
-        if program.is_dir() {
-            if same_file(program, out_dir) {
-                return Err(Failure::Usage(format!("{} is both input and --out-dir", out_dir.display())));
-            }
-            walk(program, out_dir, &mut items)?;
-        } else {
-            let name =
-                program.file_name().ok_or_else(|| Failure::Usage(format!("{} is no file", program.display())))?;
-            items.push(Item { input: program.clone(), output: out_dir.join(name) });
-        }
-    }
-    items.sort_by(|a, b| a.input.cmp(&b.input));
-    if let Some(item) = items.iter().find(|item| same_file(&item.input, &item.output)) {
-        return Err(Failure::Usage(format!("{} would be overwritten", item.input.display())));
-    }
-    Ok(items)
-}
-
-fn walk(folder: &Path, out: &Path, items: &mut Vec<Item>) -> Result<(), Failure> {
-    let entries = std::fs::read_dir(folder).map_err(|error| Failure::file(folder, error))?;
-    for entry in entries {
-        let entry = entry.map_err(|error| Failure::file(folder, error))?;
-        let (path, name) = (entry.path(), entry.file_name());
-        if path.is_dir() {
-            walk(&path, &out.join(&name), items)?;
-        } else {
-            items.push(Item { input: path, output: out.join(&name) });
-        }
-    }
-    Ok(())
-}
-
-impl Shop<'_> {
-    fn correct(&self, source: Source) -> Result<Corrected, Failure> {
-        let loaded = load::program(source, self.args.dialect)?;
+    /// Corrects a job; nothing is written.
+    pub(super) fn correct(&self, loaded: Loaded) -> Result<Corrected, Failure> {
         let metres = loaded.program.diagnostics.iter().find(|finding| finding.code == "unit-scale");
         if let Some(finding) = metres.filter(|_| !self.args.trust_units) {
             let finding = Diagnostic { severity: Severity::Error, ..finding.clone() }
                 .help("convert the program to its language's unit; --trust-units takes the numbers as they are");
-            return Err(Failure::Program(Box::new(loaded.sources[0].clone()), vec![finding]));
+            return Err(Failure::Program(loaded.sources, vec![finding]));
         }
         let job = Job {
             sources: &loaded.sources,
@@ -267,17 +175,32 @@ impl Shop<'_> {
             cell: &self.cell,
         };
         let outcome = correct(&job, &self.calibration.arm, &self.controller, &self.options);
-        let bytes = outcome.edits[0].apply(loaded.sources[0].bytes()).map_err(|error| {
-            let diagnostic = Diagnostic::error("edit", error.to_string());
-            Failure::Program(Box::new(loaded.sources[0].clone()), vec![diagnostic])
-        })?;
-        Ok(Corrected { loaded, outcome, bytes })
+        let own = loaded.sources.iter().zip(&outcome.edits).take(loaded.own);
+        let files: Result<Vec<_>, _> = own.map(|(source, edits)| edits.apply(source.bytes())).collect();
+        match files {
+            Ok(files) => Ok(Corrected { loaded, outcome, files }),
+            Err(error) => Err(Failure::Program(loaded.sources, vec![Diagnostic::error("edit", error.to_string())])),
+        }
     }
 }
 
 impl Corrected {
-    fn reports(&self) -> Vec<FileReport> {
+    pub(super) fn reports(&self) -> Vec<FileReport> {
         files(&self.loaded.sources, self.loaded.dialect, &self.loaded.program, Some(&self.outcome))
+    }
+
+    /// The corrected bytes of the job's own files.
+    pub(super) fn files(&self) -> &[Vec<u8>] {
+        &self.files
+    }
+
+    pub(super) fn is_refused(&self) -> bool {
+        self.outcome.count(Class::Refused) > 0
+    }
+
+    /// The files that come out other than they went in.
+    fn changed(&self) -> impl Iterator<Item = usize> + '_ {
+        self.outcome.edits.iter().enumerate().filter(|(_, edits)| !edits.is_empty()).map(|(file, _)| file)
     }
 }
 
@@ -285,7 +208,7 @@ impl Corrected {
 const LISTED: usize = 20;
 
 /// Says on standard error what was found and what was left alone, and why.
-fn tell(console: &Console, corrected: &Corrected) {
+pub(super) fn tell(console: &Console, corrected: &Corrected) {
     let Loaded { sources, program, .. } = &corrected.loaded;
     for diagnostic in &program.diagnostics {
         console.diagnostic(sources, diagnostic);

@@ -4,11 +4,13 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+mod batch;
 mod calibrate;
 mod console;
 mod correct;
 mod exit;
 mod inspect;
+mod job;
 mod load;
 mod output;
 mod predict;

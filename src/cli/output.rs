@@ -12,22 +12,35 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if path.as_os_str() == "-" {
         return print(bytes);
     }
-    if path.is_dir() {
-        return Err(Failure::Usage(format!("{} is a directory; name a file", path.display())));
+    write_all(&[(path, bytes)])
+}
+
+/// Writes files that belong together: none takes its place before all lie on the disk.
+pub fn write_all(files: &[(&Path, &[u8])]) -> Result<(), Failure> {
+    let mut staged = Vec::with_capacity(files.len());
+    for (path, bytes) in files {
+        if path.is_dir() {
+            return Err(Failure::Usage(format!("{} is a directory; name a file", path.display())));
+        }
+        staged.push((path, stage(path, bytes).map_err(|error| Failure::file(path, error))?));
     }
+    for (path, file) in staged {
+        file.persist(path).map_err(|error| Failure::file(path, error.error))?;
+    }
+    Ok(())
+}
+
+/// A file beside its place, complete, without its name.
+fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<tempfile::NamedTempFile> {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let whole = || {
-        let mut file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder)?;
-        file.write_all(bytes)?;
-        keep_permissions(path, file.as_file())?;
-        file.as_file().sync_all()?;
-        file.persist(path).map_err(|error| error.error)?;
-        Ok(())
-    };
-    whole().map_err(|error| Failure::file(path, error))
+    let mut file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    keep_permissions(path, file.as_file())?;
+    file.as_file().sync_all()?;
+    Ok(file)
 }
 
 /// A new file gets what the user's mask allows; one that is replaced keeps what it had.

@@ -10,9 +10,39 @@ use super::variable::Variables;
 
 /// Functions of the system that take positions and frames and leave them as they are.
 const READING: &[&str] = &[
-    "bas", "stool", "stool2", "sbase", "sload", "sipo_mode", "inverse", "forward", "inv_pos", "varstate", "ek", "eb",
-    "eb_abs", "lk", "eo", "abs", "sqrt", "sin", "cos", "tan", "acos", "atan2", "svel_cp", "svel_joint", "sacc_cp",
-    "sacc_joint", "sapo", "sapo_ptp", "sori_typ", "sjerk", "sgear_jerk", "scirc_type", "use_cm_pro_values",
+    "bas",
+    "stool",
+    "stool2",
+    "sbase",
+    "sload",
+    "sipo_mode",
+    "inverse",
+    "forward",
+    "inv_pos",
+    "varstate",
+    "ek",
+    "eb",
+    "eb_abs",
+    "lk",
+    "eo",
+    "abs",
+    "sqrt",
+    "sin",
+    "cos",
+    "tan",
+    "acos",
+    "atan2",
+    "svel_cp",
+    "svel_joint",
+    "sacc_cp",
+    "sacc_joint",
+    "sapo",
+    "sapo_ptp",
+    "sori_typ",
+    "sjerk",
+    "sgear_jerk",
+    "scirc_type",
+    "use_cm_pro_values",
 ];
 
 /// Words before a parenthesis that call nothing.
@@ -24,7 +54,9 @@ pub(super) fn mark_changes(job: &Job<'_>, variables: &mut Variables) {
         for statement in routine.statements.iter().filter(|one| !matches!(one.kind, Kind::Motion | Kind::Declaration)) {
             let bytes = job.bytes(statement.file);
             for (callee, place, argument) in arguments(bytes, statement.span) {
-                if READING.contains(&callee.as_str()) || WORDS.contains(&callee.as_str()) || only_in(job, &callee, place)
+                if READING.contains(&callee.as_str())
+                    || WORDS.contains(&callee.as_str())
+                    || only_in(job, &callee, place)
                 {
                     continue;
                 }
@@ -101,7 +133,9 @@ mod tests {
         let all = arguments(bytes, Span::new(0, bytes.len()));
         let texts: Vec<_> = all
             .iter()
-            .map(|(callee, place, span)| (callee.as_str(), *place, String::from_utf8_lossy(&bytes[span.start..span.end])))
+            .map(|(callee, place, span)| {
+                (callee.as_str(), *place, String::from_utf8_lossy(&bytes[span.start..span.end]))
+            })
             .collect();
         assert_eq!(texts, [("foo", 0, "a[1]".into()), ("bar", 0, "b".into()), ("foo", 1, " bar (b)".into())]);
     }

@@ -40,15 +40,17 @@ pub(super) fn open_values(job: &Job<'_>, targets: &mut Targets<'_, '_>) {
 /// Says once that tool and base are taken to stay over calls of routines that the job does not hold.
 pub(super) fn foreign_calls(job: &Job<'_>, states: &States<SETTINGS>) -> Option<Diagnostic> {
     let motions = job.routines.iter().zip(states).flat_map(|(routine, states)| routine.statements.iter().zip(states));
-    let mut over_calls = motions.filter(|(statement, _)| statement.kind == Kind::Motion).filter_map(|(statement, state)| {
-        let set = [TOOL, BASE].iter().any(|&index| matches!(state.get(index), Reference::Named(_)));
-        match state.get(FOREIGN) {
-            Reference::Named(routine) if set => Some((statement, routine.clone())),
-            _ => None,
-        }
-    });
+    let mut over_calls =
+        motions.filter(|(statement, _)| statement.kind == Kind::Motion).filter_map(|(statement, state)| {
+            let set = [TOOL, BASE].iter().any(|&index| matches!(state.get(index), Reference::Named(_)));
+            match state.get(FOREIGN) {
+                Reference::Named(routine) if set => Some((statement, routine.clone())),
+                _ => None,
+            }
+        });
     let (statement, routine) = over_calls.next()?;
-    let message = format!("`{routine}` is not in the files of this job: it is taken to leave $TOOL and $BASE as they are");
+    let message =
+        format!("`{routine}` is not in the files of this job: it is taken to leave $TOOL and $BASE as they are");
     Some(Diagnostic::note("foreign-call", message).at(statement.file, statement.span, "this motion comes after it"))
 }
 

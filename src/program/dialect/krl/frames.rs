@@ -91,7 +91,8 @@ impl<'j, 'a> Frames<'j, 'a> {
         }
         let text = self.job.sources[file].text(expression).into_owned();
         let unknown = || Reference::Runtime(format!("{} is `{text}`, known only at run time", role.word()));
-        let Some(found) = reference(bytes, &mut cursor).filter(|found| cursor.at_end() && found.member.is_none()) else {
+        let Some(found) = reference(bytes, &mut cursor).filter(|found| cursor.at_end() && found.member.is_none())
+        else {
             return unknown();
         };
         match (found.base.as_str(), &found.index) {
@@ -134,7 +135,8 @@ impl<'j, 'a> Frames<'j, 'a> {
             return self.declare_load(name, &Write { file, value: expression });
         }
         let unknown = Reference::Runtime("$LOAD is known only at run time".into());
-        let Some(found) = reference(bytes, &mut cursor).filter(|found| cursor.at_end() && found.member.is_none()) else {
+        let Some(found) = reference(bytes, &mut cursor).filter(|found| cursor.at_end() && found.member.is_none())
+        else {
             return unknown;
         };
         if found.base == "load_data" {

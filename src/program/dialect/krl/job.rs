@@ -193,8 +193,8 @@ fn kind(bytes: &[u8], span: Span, word: &str) -> Kind {
         | "endwhile" | "repeat" | "until" | "loop" | "endloop" | "goto" | "exit" | "return" | "resume" => Kind::Control,
         "decl" => Kind::Declaration,
         "struc" | "enum" | "signal" | "interrupt" | "trigger" | "wait" | "halt" | "continue" | "brake" | "asyptp"
-        | "cirp" | "import" | "channel" | "pulse" | "anout" | "anin" | "digin" | "confirm" | "const_vel" | "time_block"
-        | "stop" | "const" => Kind::Other,
+        | "cirp" | "import" | "channel" | "pulse" | "anout" | "anin" | "digin" | "confirm" | "const_vel"
+        | "time_block" | "stop" | "const" => Kind::Other,
         _ => by_shape(bytes, span),
     }
 }

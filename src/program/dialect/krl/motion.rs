@@ -145,7 +145,10 @@ mod tests {
         assert_eq!(read("CIRC p[1], {X 1} , CA 90 C_DIS"), "CIRC ArcVia p[1] | ArcEnd {X 1}");
         assert_eq!(read("LIN p[2] :{X 0,Z 5} C_VEL"), "LIN Linear ? p[2] :{X 0,Z 5}");
         assert_eq!(read("SLIN calc(a, b - 1)"), "SLIN Linear ? calc(a, b - 1)");
-        assert_eq!(read("SPTP P1 WITH $TOOL = STOOL2(F), $BASE = B C_Spl"), "SPTP Joint P1 with $TOOL = STOOL2(F), $BASE = B C_Spl");
+        assert_eq!(
+            read("SPTP P1 WITH $TOOL = STOOL2(F), $BASE = B C_Spl"),
+            "SPTP Joint P1 with $TOOL = STOOL2(F), $BASE = B C_Spl"
+        );
         assert_eq!(read("LIN_REL {Z 5}#TOOL"), "LIN_REL Linear {Z 5}");
         assert_eq!(read("LIN {X 1"), "LIN broken");
         assert_eq!(read("PTP"), "PTP Joint ? ");

@@ -9,7 +9,7 @@ use super::checks;
 use super::frames::call;
 use super::job::{Job, Kind, Statement, control_step};
 use super::motion::{motion, split_at_with};
-use super::setting::{SETTINGS, Setter, Sets};
+use super::setting::{SETTINGS, Sets, Setter};
 use super::targets::{Step, Targets};
 use super::usage::Settings;
 use super::variable::Variables;
@@ -20,7 +20,8 @@ pub(super) fn read(sources: &[Source]) -> Program {
     let mut variables = Variables::of(&job);
     mark_changes(&job, &mut variables);
     let mut setter = Setter::new(&job, &variables);
-    let steps: Vec<Vec<FlowStep<SETTINGS>>> = (0..job.routines.len()).map(|index| steps(&job, index, &mut setter)).collect();
+    let steps: Vec<Vec<FlowStep<SETTINGS>>> =
+        (0..job.routines.len()).map(|index| steps(&job, index, &mut setter)).collect();
     let states = follow(&steps);
     let mut targets = Targets::new(&job, &variables);
     let mut settings = Settings::default();

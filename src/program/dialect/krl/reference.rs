@@ -43,8 +43,7 @@ impl Reference {
 /// Reads a variable at the cursor, which then stands behind it.
 pub(super) fn reference(bytes: &[u8], cursor: &mut Cursor<'_>) -> Option<Reference> {
     let first = name(cursor)?;
-    let mut found =
-        Reference { span: first, base: key(bytes, first), index: Index::None, member: None };
+    let mut found = Reference { span: first, base: key(bytes, first), index: Index::None, member: None };
     loop {
         let behind = *cursor;
         cursor.skip_blanks();

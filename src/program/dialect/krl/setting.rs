@@ -36,8 +36,24 @@ type FrameData = Result<Aggregate, String>;
 
 /// Calls that set nothing of the above.
 const HARMLESS: &[&str] = &[
-    "user_grp", "userspot", "h50", "swrite", "sread", "cwrite", "cread", "copen", "cclose", "err_clear", "err_raise",
-    "ir_stopm", "msgnotify", "msgquit", "msgdialog", "on_error_proceed", "krlmsg_ovld", "reset_cd_params",
+    "user_grp",
+    "userspot",
+    "h50",
+    "swrite",
+    "sread",
+    "cwrite",
+    "cread",
+    "copen",
+    "cclose",
+    "err_clear",
+    "err_raise",
+    "ir_stopm",
+    "msgnotify",
+    "msgquit",
+    "msgdialog",
+    "on_error_proceed",
+    "krlmsg_ovld",
+    "reset_cd_params",
 ];
 
 /// Reads settings, statement by statement.

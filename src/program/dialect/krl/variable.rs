@@ -170,7 +170,8 @@ impl Variables {
             }
             let value = trimmed(bytes, Span::new(cursor.offset(), part.end));
             let line = job.sources[statement.file].line(statement.span.start);
-            let whole = found.element().filter(|_| found.member.is_none() && found.index != Index::Constant("[]".into()));
+            let whole =
+                found.element().filter(|_| found.member.is_none() && found.index != Index::Constant("[]".into()));
             let Some(element) = whole else {
                 let text = job.sources[statement.file].text(found.span).into_owned();
                 self.change(job, routine, &found, format!("`{text}` is set in line {line}"));
