@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::base::diagnostic::{Diagnostic, Severity};
 use crate::base::text::{Source, Span};
 use crate::program::dialect::{self, DIALECTS, Dialect};
-use crate::program::target::Program;
+use crate::program::target::{Program, TargetValue};
 
 use super::exit::Failure;
 use super::load;
@@ -69,6 +69,7 @@ fn with_shared(path: &Path, mut sources: Vec<Source>, dialect: &'static dyn Dial
 fn read(sources: Vec<Source>, own: usize, dialect: &'static dyn Dialect) -> Result<Loaded, Failure> {
     let mut program = dialect.read(&sources);
     program.read_only = (own..sources.len()).collect();
+    leave_shared_alone(&mut program, &sources, own);
     let is_own = |finding: &&Diagnostic| finding.place.as_ref().is_none_or(|place| place.file < own);
     let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
     let mut errors: Vec<Diagnostic> = program.diagnostics.iter().filter(is_own).filter(is_error).cloned().collect();
@@ -79,6 +80,16 @@ fn read(sources: Vec<Source>, own: usize, dialect: &'static dyn Dialect) -> Resu
     match errors.is_empty() {
         true => Ok(Loaded { sources, own, dialect, program }),
         false => Err(Failure::Program(sources, errors)),
+    }
+}
+
+/// A position in a shared file is a variable that any other program may set: its value is not known from here.
+fn leave_shared_alone(program: &mut Program, sources: &[Source], own: usize) {
+    for target in program.targets.iter_mut().filter(|target| target.file >= own) {
+        if !matches!(target.value, TargetValue::Joint(_)) {
+            let reason = || format!("stands in {}, which other programs share and may change", sources[target.file].name());
+            target.computed.get_or_insert_with(reason);
+        }
     }
 }
 

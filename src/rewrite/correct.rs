@@ -139,8 +139,8 @@ impl Work<'_> {
         }
         match self.false_target(index, arrivals, outcomes) {
             Ok(figures) if figures.iterations > 0 && self.job.program.read_only.contains(&target.file) => {
-                let reason = "stands in a file that other jobs share, which is never written";
-                let class = if class == Class::Joint { Class::Joint } else { Class::Refused };
+                let reason = "stands in a file that other programs share, which is never written";
+                let class = if class == Class::Joint { Class::Joint } else { Class::Computed };
                 TargetOutcome::left(class, reason.to_string())
             }
             Ok(figures) => {

@@ -11,7 +11,7 @@ use super::statement::{first_word, name, statements};
 ///
 /// Proof is any of: a header line `&ACCESS`, a data list `DEFDAT name`, a motion to or a value of an aggregate that
 /// begins with `X` or `A1`, or a routine `DEF name( )` (without the colon of other languages) in a text with an inline
-/// form, a system variable or a motion.
+/// form, a system variable, a motion or `END` in capitals.
 pub(super) fn is_krl(source: &Source) -> bool {
     let bytes = source.bytes();
     let start = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
@@ -33,6 +33,8 @@ pub(super) fn is_krl(source: &Source) -> bool {
             }
             "decl" | "e6pos" | "e6axis" | "pos" | "axis" | "frame" if assigns_position(bytes, rest) => return true,
             "def" => routine |= is_routine(bytes, rest),
+            // Languages that share `def` and `end` are particular about their case.
+            "end" => hint |= routine && bytes[span.start..span.end] == *b"END",
             "deffct" => routine |= rest.len() > 2,
             "bas" => hint |= bytes[rest.start..rest.end].starts_with(b"(#"),
             word => hint |= word.starts_with('$') && word.len() > 1,
@@ -110,6 +112,7 @@ mod tests {
         assert!(is("&ACCESS RVP\r\n&REL 1\r\nDEF a()\r\nEND\r\n"));
         assert!(is("\n  defdat Points public\nENDDAT"));
         assert!(is("DEF  main ( )\n;FOLD INI\nBAS (#INITMOV,0 )\n;ENDFOLD (INI)\nEND"));
+        assert!(is("DEF  OpenGripper ( )\n   DO_Open = TRUE\n   WAIT FOR DI_Open\nEND\n"));
         assert!(is("def main(a:in)\nptp xhome\nend"));
         assert!(is("GLOBAL DEFFCT FRAME f (a :IN)\n$OUT[3]=TRUE\nENDFCT"));
         assert!(is("LIN {X 10,Y 0,Z 5,A 0,B 0,C 0} C_DIS"));

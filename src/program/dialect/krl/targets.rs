@@ -147,7 +147,9 @@ impl<'j, 'a> Targets<'j, 'a> {
             return vec![self.push(step, Some(text), named.span, Unwritten(reason))];
         }
         self.indexed_uses += elements.len();
-        let all = elements.iter().map(|element| self.element(step, (scope, element.clone()), element, named.span));
+        let base = text.get(..named.base.len()).unwrap_or(&named.base);
+        let spelled = |element: &String| format!("{base}{}", element.get(named.base.len()..).unwrap_or_default());
+        let all = elements.iter().map(|one| self.element(step, (scope, one.clone()), &spelled(one), named.span));
         all.collect()
     }
 
