@@ -87,7 +87,8 @@ fn read(sources: Vec<Source>, own: usize, dialect: &'static dyn Dialect) -> Resu
 fn leave_shared_alone(program: &mut Program, sources: &[Source], own: usize) {
     for target in program.targets.iter_mut().filter(|target| target.file >= own) {
         if !matches!(target.value, TargetValue::Joint(_)) {
-            let reason = || format!("stands in {}, which other programs share and may change", sources[target.file].name());
+            let reason =
+                || format!("stands in {}, which other programs share and may change", sources[target.file].name());
             target.computed.get_or_insert_with(reason);
         }
     }

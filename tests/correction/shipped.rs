@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use falsetarget::base::edit::EditSet;
 use falsetarget::base::text::{Source, Span};
 use falsetarget::files::builtin::by_name;
 use falsetarget::files::cell::{self, Cell};
@@ -24,6 +25,12 @@ use super::{LANDS_WITHIN_M, LANDS_WITHIN_RAD};
 #[derive(Deserialize)]
 struct Shipped {
     program: String,
+    /// The other files of the job.
+    #[serde(default)]
+    with: Vec<String>,
+    /// Files that the job shares with others.
+    #[serde(default)]
+    shared: Vec<String>,
     robot: String,
     cell: Option<String>,
     #[serde(default)]
@@ -41,7 +48,7 @@ fn shipped() -> Vec<Shipped> {
 
 /// A shipped program, read.
 struct Read {
-    sources: [Source; 1],
+    sources: Vec<Source>,
     dialect: &'static dyn Dialect,
     program: Program,
     cell: Cell,
@@ -49,15 +56,24 @@ struct Read {
 
 impl Read {
     fn new(job: &Shipped) -> Self {
-        let bytes = std::fs::read(programs().join(&job.program)).expect("the program");
-        let sources = [Source::new(job.program.clone(), bytes)];
+        let names = std::iter::once(&job.program).chain(&job.with).chain(&job.shared);
+        let source = |name: &String| {
+            Source::new(name.clone(), std::fs::read(programs().join(name)).unwrap_or_else(|_| panic!("no {name}")))
+        };
+        let sources: Vec<Source> = names.map(source).collect();
         let dialect = dialect::detect(&sources[0]).expect("a known language");
-        let program = dialect.read(&sources);
+        let program = Self::program(dialect, &sources, job);
         let cell = job.cell.as_ref().map(|path| {
             let bytes = std::fs::read(programs().join(path)).expect("the cell file");
             cell::read(&Source::new(path.clone(), bytes)).expect("a sound cell file")
         });
         Self { sources, dialect, program, cell: cell.unwrap_or_default() }
+    }
+
+    fn program(dialect: &dyn Dialect, sources: &[Source], job: &Shipped) -> Program {
+        let mut program = dialect.read(sources);
+        program.read_only = (1 + job.with.len()..sources.len()).collect();
+        program
     }
 
     fn correct(&self, model: &ArmModel, controller: &Controller, options: &Options) -> Outcome {
@@ -73,16 +89,19 @@ fn every_dialect_ships_three_programs_and_every_program_is_listed() {
     for dialect in DIALECTS {
         let folder = programs().join(dialect.meta().id);
         let files = std::fs::read_dir(&folder).unwrap_or_else(|_| panic!("no {}", folder.display())).flatten();
-        let mut count = 0;
-        for path in files.map(|entry| entry.path()) {
-            let bytes = std::fs::read(&path).expect("a file");
+        for file in files.map(|entry| entry.path()) {
+            let bytes = std::fs::read(&file).expect("a file");
             if dialect.recognises(&Source::new("", bytes)) {
-                let name = path.file_name().expect("a name").to_string_lossy().into_owned();
-                let listed = jobs.iter().any(|job| job.program == format!("{}/{name}", dialect.meta().id));
-                assert!(listed, "{} is not in programs/jobs.yaml", path.display());
-                count += 1;
+                let name = file.file_name().expect("a name").to_string_lossy().into_owned();
+                let path = format!("{}/{name}", dialect.meta().id);
+                let holds =
+                    |job: &Shipped| job.program == path || job.with.contains(&path) || job.shared.contains(&path);
+                let listed = jobs.iter().any(holds);
+                assert!(listed, "{path} is not in programs/jobs.yaml");
             }
         }
+        let own = |job: &&Shipped| job.program.starts_with(&format!("{}/", dialect.meta().id));
+        let count = jobs.iter().filter(own).count();
         assert!(count >= 3, "{} ships {count} programs", dialect.meta().id);
     }
 }
@@ -99,7 +118,7 @@ fn without_error_every_program_comes_out_byte_for_byte() {
                 &controller,
                 &Options { joint_targets, ..Options::default() },
             );
-            assert!(outcome.edits[0].is_empty(), "{} changes", job.program);
+            assert!(outcome.edits.iter().all(EditSet::is_empty), "{} changes", job.program);
             assert_eq!(outcome.count(Class::Refused), 0, "{}: {:?}", job.program, first_refused(&outcome));
         }
     }
@@ -121,10 +140,15 @@ fn with_errors_every_program_lands_and_only_digits_of_targets_change() {
         let options = Options { joint_targets: true, ..Options::default() };
         let outcome = read.correct(&model, &controller, &options);
         assert_eq!(outcome.count(Class::Refused), job.refused, "{}: {:?}", job.program, first_refused(&outcome));
-        let bytes = outcome.edits[0].apply(read.sources[0].bytes()).expect("disjoint edits");
-        let again = [Source::new(job.program.clone(), bytes)];
-        let reread = read.dialect.read(&again);
-        assert_same_but_digits(&read, &again[0], &reread, &outcome);
+        let corrected = |(source, edits): (&Source, &EditSet)| {
+            Source::new(source.name(), edits.apply(source.bytes()).expect("disjoint edits"))
+        };
+        let again: Vec<Source> = read.sources.iter().zip(&outcome.edits).map(corrected).collect();
+        assert!(outcome.edits[1 + job.with.len()..].iter().all(EditSet::is_empty), "{}: shared files", job.program);
+        let reread = Read::program(read.dialect, &again, &job);
+        for file in 0..again.len() {
+            assert_same_but_digits(&read, &again[file], &reread, &outcome, file);
+        }
         let before = play(&read.program, &read.cell, &model, &controller);
         let after = play(&reread, &read.cell, &model, &controller);
         assert_eq!(before.len(), after.len(), "{}", job.program);
@@ -153,11 +177,12 @@ fn with_errors_every_program_lands_and_only_digits_of_targets_change() {
 }
 
 /// Between targets every byte is as it was; inside a corrected one, every byte that is not part of a number.
-fn assert_same_but_digits(read: &Read, again: &Source, reread: &Program, outcome: &Outcome) {
-    let source = &read.sources[0];
+fn assert_same_but_digits(read: &Read, again: &Source, reread: &Program, outcome: &Outcome, file: usize) {
+    let source = &read.sources[file];
     assert_eq!(read.program.targets.len(), reread.targets.len(), "{}", source.name());
     let (mut here, mut there) = (0, 0);
     let mut pairs: Vec<_> = read.program.targets.iter().zip(&reread.targets).zip(&outcome.targets).collect();
+    pairs.retain(|((target, _), _)| target.file == file);
     pairs.sort_by_key(|((target, _), _)| target.span);
     for ((target, changed), result) in pairs {
         let gap = (Span::new(here, target.span.start), Span::new(there, changed.span.start));
