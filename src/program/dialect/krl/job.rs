@@ -62,7 +62,7 @@ pub(super) struct Job<'a> {
     pub sources: &'a [Source],
     /// The module of each file: files of one name (`.src` and `.dat`) share their data.
     pub modules: Vec<usize>,
-    /// The files that hold global data: `$config.dat`.
+    /// The files of the system, `$config.dat` and the like: their data are global.
     pub is_global: Vec<bool>,
     /// All routines.
     pub routines: Vec<Routine>,
@@ -82,7 +82,7 @@ impl<'a> Job<'a> {
         let mut job = Self {
             sources,
             modules: stems.iter().map(module).collect(),
-            is_global: stems.iter().map(|stem| stem == "$config").collect(),
+            is_global: stems.iter().map(|stem| stem.starts_with('$')).collect(),
             routines: Vec::new(),
             by_name: HashMap::new(),
             externals: HashMap::new(),
