@@ -121,15 +121,12 @@ fn shared_files(path: &Path, dialect: &'static dyn Dialect) -> Vec<PathBuf> {
     let wanted = dialect.shared_files().iter().filter(|name| !name.eq_ignore_ascii_case(own));
     let folder = folder_of(path);
     let absolute = folder.canonicalize().unwrap_or_else(|_| folder.clone());
-    wanted
-        .filter_map(|name| {
-            if let Some(found) = file_in(&folder, name) {
-                return Some(found);
-            }
-            let above = absolute.ancestors().take(FOLDERS_ABOVE);
-            above.skip(1).find_map(|folder| file_in(folder, name).or_else(|| file_in(&folder.join("System"), name)))
-        })
-        .collect()
+    // As the user spells the folders, so that the same file has the same name in every job; then beyond.
+    let folders = || folder.ancestors().take(FOLDERS_ABOVE).chain(absolute.ancestors().take(FOLDERS_ABOVE));
+    let find = |name: &&str| {
+        folders().find_map(|folder| file_in(folder, name).or_else(|| file_in(&folder.join("System"), name)))
+    };
+    wanted.filter_map(find).collect()
 }
 
 /// The file of this name in a folder, whatever its case.
