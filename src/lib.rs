@@ -43,11 +43,13 @@
 
 pub mod base;
 pub mod cli;
+pub mod diagnose;
 pub mod files;
 pub mod geometry;
 pub mod identify;
 pub mod invert;
 pub mod kinematics;
+pub mod learn;
 pub mod measure;
 pub mod model;
 pub mod program;

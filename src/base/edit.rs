@@ -46,13 +46,6 @@ impl EditSet {
         self.edits.is_empty()
     }
 
-    /// The edits in the order of their place in the file.
-    pub fn sorted(&self) -> Vec<Edit> {
-        let mut edits = self.edits.clone();
-        edits.sort_by_key(|edit| edit.span);
-        edits
-    }
-
     /// The file with every edit made.
     ///
     /// # Errors
@@ -61,7 +54,9 @@ impl EditSet {
         let grown: usize = self.edits.iter().map(|edit| edit.replacement.len()).sum();
         let mut out = Vec::with_capacity(bytes.len() + grown);
         let mut copied = 0;
-        for edit in self.sorted() {
+        let mut in_order: Vec<&Edit> = self.edits.iter().collect();
+        in_order.sort_by_key(|edit| edit.span);
+        for edit in in_order {
             if edit.span.end > bytes.len() {
                 return Err(EditError::Outside { span: edit.span, length: bytes.len() });
             }

@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use crate::files::calibration;
-use crate::identify::calibrate::{Options, calibrate};
+use crate::identify::calibrate::{Options, Refusal, calibrate};
 use crate::identify::report::{Figures, Report};
 use crate::identify::summary::summarise;
+use crate::learn;
+use crate::learn::choose::{Candidate, Learned};
 use crate::model::arm::ArmModel;
 
 use super::console::Console;
@@ -38,6 +40,12 @@ pub struct Args {
     /// Fit the model to identification records alone, not to training records too
     #[arg(long)]
     identify_only: bool,
+    /// Learn nothing beyond the named physics
+    #[arg(long)]
+    no_learner: bool,
+    /// The paper's pipeline: geometry and compliance from identification records, a plain network from training records
+    #[arg(long, conflicts_with = "no_learner")]
+    paper: bool,
     /// Seed of everything that is drawn
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -56,22 +64,52 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     let options = Options {
         seed: args.seed,
         sigma_m: args.sigma_mm.map(crate::base::units::m_from_mm),
-        refit_with_training: !args.identify_only,
+        refit_with_training: !args.identify_only && !args.paper,
     };
     let mut tell = |step: &str| {
         if console.is_terminal() {
             console.say(&format!("{step} ..."));
         }
     };
-    let outcome = calibrate(&ArmModel::nominal(robot), &recordings, &options, &mut tell)?;
-    let (model, report) = summarise(&outcome, &recordings).map_err(crate::identify::calibrate::Refusal::from)?;
+    let mut outcome = calibrate(&ArmModel::nominal(robot), &recordings, &options, &mut tell)?;
+    let mut learned = None;
+    if args.paper {
+        tell("training the network");
+        learn::calibration::add_paper_network(&mut outcome, args.seed).map_err(Refusal::from)?;
+    } else if !args.no_learner {
+        tell("learning what the physics leaves");
+        learned = Some(learn::calibration::add(&mut outcome, args.seed).map_err(Refusal::from)?);
+    }
+    let (model, report) = summarise(&outcome, &recordings).map_err(Refusal::from)?;
     let text = calibration::write(&model).map_err(|error| Failure::Usage(error.to_string()))?;
     output::write(&args.output, text.as_bytes())?;
     if let Some(path) = &args.json {
-        output::write_json(path, &report)?;
+        let learner = learned.as_ref().map(LearnerReport::of);
+        output::write_json(path, &WholeReport { report: &report, learner })?;
     }
     tell_person(&report, console);
     Ok(Exit::Done)
+}
+
+/// The report of the identification, and what was tried as a learner.
+#[derive(serde::Serialize)]
+struct WholeReport<'a> {
+    #[serde(flatten)]
+    report: &'a Report,
+    learner: Option<LearnerReport<'a>>,
+}
+
+#[derive(serde::Serialize)]
+struct LearnerReport<'a> {
+    chosen: Option<&'static str>,
+    candidates: &'a [Candidate],
+}
+
+impl<'a> LearnerReport<'a> {
+    fn of(learned: &'a Learned) -> Self {
+        let chosen = learned.candidates.get(learned.chosen).map(|candidate| candidate.name);
+        Self { chosen, candidates: &learned.candidates }
+    }
 }
 
 fn tell_person(report: &Report, console: &Console) {

@@ -3,6 +3,7 @@
 #![allow(clippy::print_stderr, reason = "this is the one place that talks")]
 
 use std::io::IsTerminal;
+use std::sync::{Mutex, PoisonError};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 
@@ -13,15 +14,29 @@ use super::exit::{Exit, Failure};
 
 /// Standard error.
 pub struct Console {
-    renderer: Renderer,
+    coloured: bool,
     terminal: bool,
+    /// What has been said, where it is held back until other files have had their say.
+    held: Option<Mutex<String>>,
 }
 
 impl Console {
     pub fn new() -> Self {
         let terminal = std::io::stderr().is_terminal();
         let coloured = terminal && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
-        Self { renderer: if coloured { Renderer::styled() } else { Renderer::plain() }, terminal }
+        Self { coloured, terminal, held: None }
+    }
+
+    /// A console for one of many files: what it is told is held until [`Console::release`].
+    pub fn holding(&self) -> Self {
+        Self { held: Some(Mutex::default()), ..*self }
+    }
+
+    /// Says what `other` has held.
+    pub fn release(&self, other: Self) {
+        if let Some(held) = other.held {
+            eprint!("{}", held.into_inner().unwrap_or_else(PoisonError::into_inner));
+        }
     }
 
     /// True when a person may be watching: progress is shown only then.
@@ -31,11 +46,15 @@ impl Console {
 
     /// A plain line.
     pub fn say(&self, line: &str) {
-        eprintln!("{line}");
+        match &self.held {
+            Some(held) => *held.lock().unwrap_or_else(PoisonError::into_inner) += &format!("{line}\n"),
+            None => eprintln!("{line}"),
+        }
     }
 
     /// A finding, drawn under its line.
     pub fn diagnostic(&self, sources: &[Source], diagnostic: &Diagnostic) {
+        let renderer = if self.coloured { Renderer::styled() } else { Renderer::plain() };
         let level = match diagnostic.severity {
             Severity::Error => Level::ERROR,
             Severity::Warning => Level::WARNING,
@@ -52,18 +71,17 @@ impl Console {
                     .annotation(AnnotationKind::Primary.span(line.start..line.end).label(place.text.clone()));
                 let group = title.element(snippet);
                 match &diagnostic.help {
-                    Some(help) => self.renderer.render(&[group.element(Level::HELP.message(help.clone()))]),
-                    None => self.renderer.render(&[group]),
+                    Some(help) => renderer.render(&[group.element(Level::HELP.message(help.clone()))]),
+                    None => renderer.render(&[group]),
                 }
             }
             None => match &diagnostic.help {
-                Some(help) => self
-                    .renderer
+                Some(help) => renderer
                     .render(&[annotate_snippets::Group::with_title(title).element(Level::HELP.message(help.clone()))]),
-                None => self.renderer.render(&[annotate_snippets::Group::with_title(title)]),
+                None => renderer.render(&[annotate_snippets::Group::with_title(title)]),
             },
         };
-        eprintln!("{drawn}");
+        self.say(&drawn);
     }
 
     /// A failure, with everything there is to say about it.
@@ -83,14 +101,17 @@ impl Console {
             Failure::Recording(refusal) => {
                 self.diagnostic(&[], &Diagnostic::error("recording", refusal.to_string()));
             }
-            other => self.diagnostic(&[], &Diagnostic::error("usage", other.to_string())),
+            Failure::File { .. } | Failure::Output(_) => {
+                self.diagnostic(&[], &Diagnostic::error("file", failure.to_string()));
+            }
+            Failure::Usage(_) => self.diagnostic(&[], &Diagnostic::error("usage", failure.to_string())),
         }
         Exit::Bad
     }
 }
 
-/// The line that a place is on, as text; columns counted in the text's own bytes. Very long lines are cut around the
-/// place: a message is read, not scrolled.
+/// The line that a place is on, as text. What follows far behind the place is cut: a message is read, not scrolled.
+/// What stands before it is kept, for the column is counted from there.
 struct OneLine {
     text: String,
     number: usize,
@@ -98,7 +119,7 @@ struct OneLine {
     end: usize,
 }
 
-/// Bytes of a line shown on either side of the place.
+/// Bytes of a line shown behind the start of the place.
 const SHOWN: usize = 160;
 
 impl OneLine {
@@ -107,14 +128,15 @@ impl OneLine {
         let bytes = source.bytes();
         let start = start.min(bytes.len());
         let is_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
-        let line_start =
-            bytes[..start].iter().rposition(is_end).map_or(0, |at| at + 1).max(start.saturating_sub(SHOWN));
+        let line_start = bytes[..start].iter().rposition(is_end).map_or(0, |at| at + 1);
         let line_end = bytes[start..].iter().position(is_end).map_or(bytes.len(), |n| start + n).min(start + SHOWN);
         let end = end.clamp(start, line_end);
-        // Pieces are decoded apart, so that offsets stay right when a byte becomes two.
-        let before = source.text(Span::new(line_start, start)).replace('\t', " ");
-        let inside = source.text(Span::new(start, end)).replace('\t', " ");
-        let after = source.text(Span::new(end, line_end)).replace('\t', " ");
+        // Pieces are decoded apart, so that offsets stay right when a byte becomes two. A terminal would obey control
+        // characters.
+        let shown =
+            |from, to| source.text(Span::new(from, to)).replace(|c: char| c.is_control() && c != '\t', "\u{fffd}");
+        let [before, inside, after] =
+            [shown(line_start, start), shown(start, end), shown(end, line_end)].map(|text| text.replace('\t', " "));
         let (from, to) = (before.len(), before.len() + inside.len());
         Self { text: before + &inside + &after, number: source.line(start), start: from, end: to }
     }

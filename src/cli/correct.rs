@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use crate::base::diagnostic::{Diagnostic, Severity};
+use crate::base::edit::EditSet;
+use crate::base::text::Source;
 use crate::files::calibration::Calibration;
 use crate::files::cell::Cell;
 use crate::kinematics::controller::Controller;
@@ -11,11 +13,12 @@ use crate::report::targets::{FileReport, TargetsReport, files};
 use crate::rewrite::class::Class;
 use crate::rewrite::correct::{Job, Options, correct};
 use crate::rewrite::outcome::Outcome;
+use crate::rewrite::split::split;
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
 use super::job::{self, Loaded};
-use super::{batch, load, output};
+use super::{batch, load, output, tell};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -55,6 +58,10 @@ pub struct Args {
     /// Write the file although some targets are refused; those stay as they are
     #[arg(long)]
     pub(super) allow_partial: bool,
+    /// Give a target that is used with several tools, frames or loads one declaration for each (RAPID): copies are
+    /// put behind the declaration, and the moves name them
+    #[arg(long)]
+    split_shared: bool,
     /// Refuse targets outside the joint region that the recordings covered
     #[arg(long)]
     inside_only: bool,
@@ -77,7 +84,7 @@ pub struct Args {
 
 /// What every file of a run shares.
 pub(super) struct Shop<'a> {
-    args: &'a Args,
+    pub args: &'a Args,
     calibration: Calibration,
     controller: Controller,
     cell: Cell,
@@ -86,10 +93,10 @@ pub(super) struct Shop<'a> {
 
 /// A corrected job, not yet written.
 pub(super) struct Corrected {
-    loaded: Loaded,
-    outcome: Outcome,
+    pub loaded: Loaded,
+    pub outcome: Outcome,
     /// The job's own files.
-    files: Vec<Vec<u8>>,
+    pub files: Vec<Vec<u8>>,
 }
 
 pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
@@ -119,10 +126,14 @@ fn one(shop: &Shop<'_>, console: &Console) -> Result<Exit, Failure> {
         _ => return Err(Failure::Usage("several programs need --out-dir".into())),
     };
     let output = shop.args.output.clone().unwrap_or_else(|| PathBuf::from("-"));
-    if let Some(program) = shop.args.programs.first()
-        && same_file(program, &output)
-    {
-        return Err(Failure::Usage(format!("-o {} would overwrite the program itself", output.display())));
+    for path in shop.args.report.iter().chain([&output]) {
+        if shop.args.programs.first().is_some_and(|program| same_file(program, path)) {
+            return Err(Failure::Usage(format!("{} would overwrite the program itself", path.display())));
+        }
+        output::check(path)?;
+    }
+    if shop.args.report.as_ref().is_some_and(|report| report != Path::new("-") && *report == output) {
+        return Err(Failure::Usage("the program and the report cannot both go to one file".into()));
     }
     let both_on_stdout = shop.args.report.as_deref() == Some(Path::new("-")) && output.as_os_str() == "-";
     if both_on_stdout {
@@ -133,7 +144,7 @@ fn one(shop: &Shop<'_>, console: &Console) -> Result<Exit, Failure> {
         None => job::of_standard_input(shop.args.dialect)?,
     };
     let corrected = shop.correct(loaded)?;
-    tell(console, &corrected);
+    tell::targets(console, &corrected.loaded, &corrected.outcome);
     if let Some(path) = &shop.args.report {
         output::write_json(path, &TargetsReport::new(corrected.reports()))?;
     }
@@ -150,51 +161,75 @@ fn one(shop: &Shop<'_>, console: &Console) -> Result<Exit, Failure> {
     Ok(if corrected.is_refused() { Exit::No } else { Exit::Done })
 }
 
+/// True when both names lead to the same existing file or folder.
 pub(super) fn same_file(a: &Path, b: &Path) -> bool {
     matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
 }
 
-impl<'a> Shop<'a> {
-    /// What the user asked for.
-    pub(super) fn args(&self) -> &'a Args {
-        self.args
-    }
-
+impl Shop<'_> {
     /// Corrects a job; nothing is written.
-    pub(super) fn correct(&self, loaded: Loaded) -> Result<Corrected, Failure> {
+    ///
+    /// # Errors
+    /// [`Failure::Program`] when it holds errors, or numbers in another unit.
+    pub fn correct(&self, loaded: Loaded) -> Result<Corrected, Failure> {
         let metres = loaded.program.diagnostics.iter().find(|finding| finding.code == "unit-scale");
         if let Some(finding) = metres.filter(|_| !self.args.trust_units) {
             let finding = Diagnostic { severity: Severity::Error, ..finding.clone() }
                 .help("convert the program to its language's unit; --trust-units takes the numbers as they are");
             return Err(Failure::Program(loaded.sources, vec![finding]));
         }
+        let outcome = self.outcome(&loaded);
+        if self.args.split_shared && outcome.targets.iter().any(|target| target.shared) {
+            let edits = split(&loaded.sources, &loaded.program, &outcome);
+            if !edits.iter().all(EditSet::is_empty) {
+                let with_copies = with_edits(loaded, &edits)?;
+                let outcome = self.outcome(&with_copies);
+                return corrected(with_copies, outcome);
+            }
+        }
+        corrected(loaded, outcome)
+    }
+
+    fn outcome(&self, loaded: &Loaded) -> Outcome {
         let job = Job {
             sources: &loaded.sources,
             program: &loaded.program,
             rules: loaded.dialect.meta().numbers,
             cell: &self.cell,
         };
-        let outcome = correct(&job, &self.calibration.arm, &self.controller, &self.options);
-        let own = loaded.sources.iter().zip(&outcome.edits).take(loaded.own);
-        let files: Result<Vec<_>, _> = own.map(|(source, edits)| edits.apply(source.bytes())).collect();
-        match files {
-            Ok(files) => Ok(Corrected { loaded, outcome, files }),
-            Err(error) => Err(Failure::Program(loaded.sources, vec![Diagnostic::error("edit", error.to_string())])),
-        }
+        correct(&job, &self.calibration.arm, &self.controller, &self.options)
     }
 }
 
+/// The job with edits made, read again.
+fn with_edits(loaded: Loaded, edits: &[EditSet]) -> Result<Loaded, Failure> {
+    let own = apply(&loaded, edits)?;
+    let names = loaded.sources.iter().map(|source| source.name().to_string());
+    let mut sources: Vec<Source> = names.zip(own).map(|(name, bytes)| Source::new(name, bytes)).collect();
+    sources.extend(loaded.sources.into_iter().skip(loaded.own));
+    job::read(sources, loaded.own, loaded.dialect)
+}
+
+fn corrected(loaded: Loaded, outcome: Outcome) -> Result<Corrected, Failure> {
+    let files = apply(&loaded, &outcome.edits)?;
+    Ok(Corrected { loaded, outcome, files })
+}
+
+/// The job's own files with edits made.
+fn apply(loaded: &Loaded, edits: &[EditSet]) -> Result<Vec<Vec<u8>>, Failure> {
+    let own = loaded.sources.iter().zip(edits).take(loaded.own);
+    let files: Result<_, _> = own.map(|(source, edits)| edits.apply(source.bytes())).collect();
+    files.map_err(|error| Failure::Program(loaded.sources.clone(), vec![Diagnostic::error("edit", error.to_string())]))
+}
+
 impl Corrected {
-    pub(super) fn reports(&self) -> Vec<FileReport> {
+    /// What happened to its targets.
+    pub fn reports(&self) -> Vec<FileReport> {
         files(&self.loaded.sources, self.loaded.dialect, &self.loaded.program, Some(&self.outcome))
     }
 
-    /// The corrected bytes of the job's own files.
-    pub(super) fn files(&self) -> &[Vec<u8>] {
-        &self.files
-    }
-
-    pub(super) fn is_refused(&self) -> bool {
+    /// Some target has no solution.
+    pub fn is_refused(&self) -> bool {
         self.outcome.count(Class::Refused) > 0
     }
 
@@ -202,61 +237,4 @@ impl Corrected {
     fn changed(&self) -> impl Iterator<Item = usize> + '_ {
         self.outcome.edits.iter().enumerate().filter(|(_, edits)| !edits.is_empty()).map(|(file, _)| file)
     }
-}
-
-/// Targets of one kind that are listed one by one; the rest is counted (the report has them all).
-const LISTED: usize = 20;
-
-/// Says on standard error what was found and what was left alone, and why.
-pub(super) fn tell(console: &Console, corrected: &Corrected) {
-    let Loaded { sources, program, .. } = &corrected.loaded;
-    for diagnostic in &program.diagnostics {
-        console.diagnostic(sources, diagnostic);
-    }
-    let outcome = &corrected.outcome;
-    for (class, code) in [(Class::Refused, "refused"), (Class::Computed, "computed"), (Class::Joint, "joint")] {
-        let of_class = || outcome.targets.iter().zip(&program.targets).filter(move |(result, _)| result.class == class);
-        if class == Class::Joint && of_class().next().is_some() {
-            let count = of_class().count();
-            console.say(&format!("{count} joint target(s) left alone; --joint-targets corrects them"));
-            continue;
-        }
-        for (result, target) in of_class().take(LISTED) {
-            let name = target.name.as_deref().map(|name| format!("`{name}` ")).unwrap_or_default();
-            let reason = result.reason.as_deref().unwrap_or_default();
-            let message = match class {
-                Class::Refused => format!("target {name}refused: {reason}"),
-                _ => format!("target {name}left alone: {reason}"),
-            };
-            let diagnostic = match class {
-                Class::Refused => Diagnostic::error(code, message),
-                _ => Diagnostic::warning(code, message),
-            };
-            console.diagnostic(sources, &diagnostic.at(target.file, target.span, ""));
-        }
-        let more = of_class().count().saturating_sub(LISTED);
-        if more > 0 {
-            console.say(&format!("... and {more} more {code}; --report lists them all"));
-        }
-    }
-    console.say(&summary(sources[0].name(), outcome));
-}
-
-fn summary(name: &str, outcome: &Outcome) -> String {
-    let corrections: Vec<f64> = outcome
-        .targets
-        .iter()
-        .filter_map(|target| target.figures.as_ref())
-        .map(|figures| figures.correction_m)
-        .collect();
-    // An empty sum is -0.0.
-    let mean_mm = (corrections.iter().sum::<f64>() + 0.0) / corrections.len().max(1) as f64 * 1e3;
-    let largest_mm = corrections.iter().copied().fold(0.0, f64::max) * 1e3;
-    format!(
-        "{name}: {} corrected (by {mean_mm:.3} mm in the mean, {largest_mm:.3} mm at most), {} joint, {} computed, {} refused",
-        outcome.count(Class::Corrected),
-        outcome.count(Class::Joint),
-        outcome.count(Class::Computed),
-        outcome.count(Class::Refused)
-    )
 }

@@ -66,7 +66,11 @@ fn with_shared(path: &Path, mut sources: Vec<Source>, dialect: &'static dyn Dial
     read(sources, own, dialect)
 }
 
-fn read(sources: Vec<Source>, own: usize, dialect: &'static dyn Dialect) -> Result<Loaded, Failure> {
+/// Reads sources, the first `own` of them the job's own.
+///
+/// # Errors
+/// As [`of_file`].
+pub fn read(sources: Vec<Source>, own: usize, dialect: &'static dyn Dialect) -> Result<Loaded, Failure> {
     let mut program = dialect.read(&sources);
     program.read_only = (own..sources.len()).collect();
     leave_shared_alone(&mut program, &sources, own);
@@ -172,6 +176,11 @@ pub fn dialect_of(source: &Source, wanted: Option<&'static dyn Dialect>) -> Resu
         (None, Some(found)) => Ok(found),
         (None, None) => {
             let known: Vec<&str> = DIALECTS.iter().map(|dialect| dialect.meta().id).collect();
+            if is_binary(source.bytes()) {
+                let message = "this is binary data, not the text of a program";
+                let help = "an encoded or encrypted module must be saved as text where it was made";
+                return refuse(Diagnostic::error("binary", message).at(0, first_line, "").help(help));
+            }
             refuse(
                 Diagnostic::error("dialect", "no robot language that this tool knows begins like this")
                     .at(0, first_line, "")
@@ -179,4 +188,12 @@ pub fn dialect_of(source: &Source, wanted: Option<&'static dyn Dialect>) -> Resu
             )
         }
     }
+}
+
+/// More than a tenth of control characters: no text in any encoding that robots use.
+fn is_binary(bytes: &[u8]) -> bool {
+    const LOOKED_AT: usize = 4096;
+    let start = &bytes[..bytes.len().min(LOOKED_AT)];
+    let is_control = |byte: &&u8| byte.is_ascii_control() && !byte.is_ascii_whitespace();
+    start.iter().filter(is_control).count() * 10 > start.len()
 }

@@ -8,6 +8,7 @@ mod batch;
 mod calibrate;
 mod console;
 mod correct;
+mod diagnose;
 mod exit;
 mod inspect;
 mod job;
@@ -16,6 +17,7 @@ mod output;
 mod predict;
 mod robots;
 mod simulate;
+mod tell;
 mod validate;
 
 use console::Console;
@@ -38,6 +40,7 @@ struct Cli {
 enum Command {
     Calibrate(calibrate::Args),
     Predict(predict::Args),
+    Diagnose(diagnose::Args),
     Validate(validate::Args),
     Correct(correct::Args),
     Inspect(inspect::Args),
@@ -52,6 +55,7 @@ pub fn main() -> ExitCode {
     let result = match &cli.command {
         Command::Calibrate(args) => calibrate::run(args, &console),
         Command::Predict(args) => predict::run(args, &console),
+        Command::Diagnose(args) => diagnose::run(args, &console),
         Command::Validate(args) => validate::run(args, &console),
         Command::Correct(args) => correct::run(args, &console),
         Command::Inspect(args) => inspect::run(args, &console),

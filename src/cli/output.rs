@@ -5,6 +5,25 @@ use std::path::Path;
 
 use super::exit::Failure;
 
+/// Says beforehand what would be in the way of [`write`]: so that nothing is written when not all can be.
+pub fn check(path: &Path) -> Result<(), Failure> {
+    if path.as_os_str() == "-" {
+        return Ok(());
+    }
+    if path.is_dir() {
+        return Err(Failure::Usage(format!("{} is a directory; name a file", path.display())));
+    }
+    let folder = folder_of(path);
+    if !folder.is_dir() {
+        return Err(Failure::Usage(format!("{}: there is no folder {}", path.display(), folder.display())));
+    }
+    Ok(())
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 /// Writes bytes to a path, or to standard output for `-`.
 ///
 /// A file is written beside its place under another name, flushed to the disk, and renamed.
@@ -17,26 +36,22 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// Writes files that belong together: none takes its place before all lie on the disk.
 pub fn write_all(files: &[(&Path, &[u8])]) -> Result<(), Failure> {
+    // The kind alone: the name of the temporary file says nothing to the user.
+    let failure = |path: &Path, error: std::io::Error| Failure::file(path, error.kind().into());
     let mut staged = Vec::with_capacity(files.len());
     for (path, bytes) in files {
-        if path.is_dir() {
-            return Err(Failure::Usage(format!("{} is a directory; name a file", path.display())));
-        }
-        staged.push((path, stage(path, bytes).map_err(|error| Failure::file(path, error))?));
+        check(path)?;
+        staged.push((path, stage(path, bytes).map_err(|error| failure(path, error))?));
     }
     for (path, file) in staged {
-        file.persist(path).map_err(|error| Failure::file(path, error.error))?;
+        file.persist(path).map_err(|error| failure(path, error.error))?;
     }
     Ok(())
 }
 
 /// A file beside its place, complete, without its name.
 fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<tempfile::NamedTempFile> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    let mut file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder)?;
+    let mut file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder_of(path))?;
     file.write_all(bytes)?;
     keep_permissions(path, file.as_file())?;
     file.as_file().sync_all()?;

@@ -43,41 +43,48 @@ pub fn parse<T: DeserializeOwned>(source: &Source, what: &str) -> Result<T, File
     })
 }
 
-/// The library ends its messages with "at line L column C", which the drawn place says already.
+/// The library's message without the names of the types here, without whole files quoted, and without its "at line L
+/// column C" at the end, which the drawn place says already.
 fn plain_message(message: &str) -> String {
-    match message.rfind(" at line ") {
-        Some(end) => message[..end].to_string(),
-        None => message.to_string(),
+    const QUOTED: usize = 40;
+    let mut plain = message.rfind(" at line ").map_or(message, |end| &message[..end]).to_string();
+    if let (Some(open), Some(close)) = (plain.find('"'), plain.rfind('"'))
+        && let Some((cut, _)) = plain[open + 1..close].char_indices().nth(QUOTED)
+    {
+        plain.replace_range(open + 1 + cut..close, "...");
     }
+    if let Some(at) = plain.find("expected struct ") {
+        plain.replace_range(at.., "expected keys with values");
+    }
+    plain
 }
 
-/// Where a top-level key stands, for complaints about a value that is well-formed but wrong.
+/// Where a key stands, for complaints about a value that is well-formed but wrong: at the top level, else (the robot
+/// inside a model file) wherever it comes first.
 ///
 /// `item` counts the `- ` entries below the key.
 pub fn place_of(source: &Source, key: &str, item: Option<usize>) -> Span {
-    let mut below = None;
-    let mut seen = 0;
-    for line in source.lines() {
-        let text = source.slice(line);
-        let is_key = text.strip_prefix(key.as_bytes()).is_some_and(|rest| rest.first() == Some(&b':'));
-        match (below, item) {
-            (None, _) if is_key => {
-                below = Some(line);
-                if item.is_none() {
-                    return line;
-                }
-            }
-            (Some(_), Some(wanted)) if text.trim_ascii_start().starts_with(b"-") => {
-                if seen == wanted {
-                    let indent = text.len() - text.trim_ascii_start().len();
-                    return Span::new(line.start + indent, line.end);
-                }
-                seen += 1;
-            }
-            _ => {}
-        }
-    }
-    below.unwrap_or(Span::new(0, 0))
+    let is_key = |text: &[u8]| text.strip_prefix(key.as_bytes()).is_some_and(|rest| rest.first() == Some(&b':'));
+    let lines: Vec<Span> = source.lines().collect();
+    let top = lines.iter().position(|line| is_key(source.slice(*line)));
+    let anywhere = || lines.iter().position(|line| is_key(source.slice(*line).trim_ascii_start()));
+    let Some(at) = top.or_else(anywhere) else {
+        return Span::new(0, 0);
+    };
+    let starts_at = |line: Span| line.start + indent(source.slice(line));
+    let whole = Span::new(starts_at(lines[at]), lines[at].end);
+    let Some(item) = item else {
+        return whole;
+    };
+    let is_entry = |line: &&Span| source.slice(**line).trim_ascii_start().starts_with(b"-");
+    let entries: Vec<Span> = lines[at + 1..].iter().filter(is_entry).copied().collect();
+    let depth = entries.first().map(|line| indent(source.slice(*line)));
+    let mut own = entries.iter().filter(|line| Some(indent(source.slice(**line))) == depth);
+    own.nth(item).map_or(whole, |line| Span::new(starts_at(*line), line.end))
+}
+
+fn indent(text: &[u8]) -> usize {
+    text.len() - text.trim_ascii_start().len()
 }
 
 /// A complaint about a value.
@@ -117,4 +124,36 @@ impl PoseEntry {
 /// The number to 15 significant digits: what a unit conversion leaves in the sixteenth is not worth writing.
 pub fn tidy(number: f64) -> f64 {
     format!("{number:.14e}").parse().unwrap_or(number) + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_found_below_their_key() {
+        let text = "robot:\n  joints:\n    - {name: A}\neffects:\n  - effect: a\n    parameters:\n      - {name: x}\n  - effect: b\n";
+        let source = Source::new("t", text);
+        let found = |key: &str, item| source.text(place_of(&source, key, item)).into_owned();
+        assert_eq!(found("effects", Some(1)), "- effect: b");
+        assert_eq!(found("joints", Some(0)), "- {name: A}");
+        assert_eq!(found("joints", None), "joints:");
+        assert_eq!(found("nothing", None), "");
+    }
+
+    #[test]
+    fn messages_name_no_types_and_quote_no_files() {
+        let long =
+            format!("invalid type: string \"{}\", expected struct SchemaOnly at line 1 column 1", "x".repeat(500));
+        let plain = plain_message(&long);
+        assert!(
+            plain.len() < 110 && plain.ends_with("..., expected keys with values") || plain.contains("...\""),
+            "{plain}"
+        );
+        assert!(!plain.contains("SchemaOnly"), "{plain}");
+        assert_eq!(
+            plain_message("unknown field `a`, expected `b` at line 2 column 3"),
+            "unknown field `a`, expected `b`"
+        );
+    }
 }

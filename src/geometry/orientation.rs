@@ -25,6 +25,58 @@ pub enum OrientationConvention {
     RotationVector,
 }
 
+/// The three or four numbers of an orientation, without allocation: used as a slice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrientationNumbers {
+    numbers: [f64; 4],
+    count: usize,
+}
+
+impl OrientationNumbers {
+    /// The same numbers, each changed by `change`.
+    #[must_use]
+    pub fn map(self, change: impl FnMut(f64) -> f64) -> Self {
+        Self { numbers: self.numbers.map(change), ..self }
+    }
+
+    /// The numbers with zeros behind them.
+    pub fn padded(&self) -> [f64; 4] {
+        self.numbers
+    }
+}
+
+impl From<[f64; 4]> for OrientationNumbers {
+    fn from(numbers: [f64; 4]) -> Self {
+        Self { numbers, count: 4 }
+    }
+}
+
+impl From<[f64; 3]> for OrientationNumbers {
+    fn from([a, b, c]: [f64; 3]) -> Self {
+        Self { numbers: [a, b, c, 0.0], count: 3 }
+    }
+}
+
+/// Of more than four numbers only the first four are taken.
+impl FromIterator<f64> for OrientationNumbers {
+    fn from_iter<I: IntoIterator<Item = f64>>(numbers: I) -> Self {
+        let mut all = Self { numbers: [0.0; 4], count: 0 };
+        for (place, number) in all.numbers.iter_mut().zip(numbers) {
+            *place = number;
+            all.count += 1;
+        }
+        all
+    }
+}
+
+impl std::ops::Deref for OrientationNumbers {
+    type Target = [f64];
+
+    fn deref(&self) -> &[f64] {
+        &self.numbers[..self.count]
+    }
+}
+
 impl OrientationConvention {
     /// How many numbers it takes.
     pub fn count(self) -> usize {
@@ -39,11 +91,17 @@ impl OrientationConvention {
         self.count() == 4
     }
 
+    /// True when `numbers` stand for a rotation: the right count, all finite, a quaternion with length.
+    pub fn is_rotation(self, numbers: &[f64]) -> bool {
+        let finite = numbers.len() == self.count() && numbers.iter().all(|number| number.is_finite());
+        finite && (!self.is_quaternion() || numbers.iter().map(|number| number * number).sum::<f64>() > 1e-12)
+    }
+
     /// The rotation matrix that `numbers` stand for. A quaternion is normalised first.
     ///
     /// Returns `None` when the count is wrong, a number is not finite, or a quaternion has no length.
     pub fn rotation(self, numbers: &[f64]) -> Option<Matrix3<f64>> {
-        if numbers.len() != self.count() || numbers.iter().any(|number| !number.is_finite()) {
+        if !self.is_rotation(numbers) {
             return None;
         }
         Some(match self {
@@ -61,26 +119,31 @@ impl OrientationConvention {
     /// one of the two Euler solutions.
     ///
     /// At a singularity of the angles (second angle at its limit) the first number of `near` is kept.
-    pub fn numbers(self, rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
+    pub fn numbers(self, rotation: &Matrix3<f64>, near: &[f64]) -> OrientationNumbers {
         match self {
-            Self::QuaternionWxyz => quaternion_near(rotation, [0, 1, 2, 3], near),
-            Self::QuaternionXyzw => quaternion_near(rotation, [3, 0, 1, 2], near),
+            Self::QuaternionWxyz => quaternion_near(rotation, [0, 1, 2, 3], near).into(),
+            Self::QuaternionXyzw => quaternion_near(rotation, [3, 0, 1, 2], near).into(),
             Self::FixedXyz => {
-                let reversed: Vec<f64> = near.iter().rev().copied().collect();
-                let mut angles = zyx_near(rotation, &reversed);
-                angles.reverse();
-                angles
+                let [x, y, z] = first_three(near);
+                let [a, b, c] = zyx_near(rotation, &[z, y, x]);
+                [c, b, a].into()
             }
-            Self::EulerZyx => zyx_near(rotation, near),
+            Self::EulerZyx => zyx_near(rotation, &first_three(near)).into(),
             Self::EulerXyz => {
                 // R = Rx(a) Ry(b) Rz(c)  <=>  R' = Rz(-c) Ry(-b) Rx(-a)
-                let mirrored: Vec<f64> = near.iter().rev().map(|angle| -angle).collect();
-                zyx_near(&rotation.transpose(), &mirrored).iter().rev().map(|angle| -angle).collect()
+                let [a, b, c] = first_three(near);
+                let [c, b, a] = zyx_near(&rotation.transpose(), &[-c, -b, -a]);
+                [-a, -b, -c].into()
             }
-            Self::EulerZyz => zyz_near(rotation, near),
-            Self::RotationVector => vector_near(rotation, near),
+            Self::EulerZyz => zyz_near(rotation, &first_three(near)).into(),
+            Self::RotationVector => vector_near(rotation, &first_three(near)).into(),
         }
     }
+}
+
+/// The first three of some numbers, zero where there are fewer.
+fn first_three(numbers: &[f64]) -> [f64; 3] {
+    std::array::from_fn(|at| numbers.get(at).copied().unwrap_or(0.0))
 }
 
 /// w, x, y, z of a rotation matrix, unit length; the sign is arbitrary.
@@ -106,7 +169,7 @@ fn rotation_from_quaternion(wxyz: [f64; 4]) -> Option<Matrix3<f64>> {
     Some(Rotation3::from(unit).into_inner())
 }
 
-fn quaternion_near(rotation: &Matrix3<f64>, order: [usize; 4], near: &[f64]) -> Vec<f64> {
+fn quaternion_near(rotation: &Matrix3<f64>, order: [usize; 4], near: &[f64]) -> [f64; 4] {
     let wxyz = quaternion_from_rotation(rotation);
     let mut out = [0.0; 4];
     for (component, place) in wxyz.into_iter().zip(order) {
@@ -114,16 +177,21 @@ fn quaternion_near(rotation: &Matrix3<f64>, order: [usize; 4], near: &[f64]) -> 
     }
     let agreement: f64 = out.iter().zip(near).map(|(a, b)| a * b).sum();
     let sign = if agreement < 0.0 { -1.0 } else { 1.0 };
-    out.iter().map(|component| component * sign).collect()
+    out.map(|component| component * sign)
 }
 
 /// The angle equal to `angle` modulo a full turn that lies nearest to `near`.
 pub fn angle_near(angle: f64, near: f64) -> f64 {
+    let apart = near - angle;
+    // What is near already is not turned: the common case, and rounding is a call.
+    if apart.abs() < std::f64::consts::PI {
+        return angle;
+    }
     let turn = std::f64::consts::TAU;
-    angle + turn * ((near - angle) / turn).round()
+    angle + turn * (apart / turn).round()
 }
 
-fn nearest_of(candidates: [[f64; 3]; 2], near: &[f64]) -> Vec<f64> {
+fn nearest_of(candidates: [[f64; 3]; 2], near: &[f64; 3]) -> [f64; 3] {
     let placed = candidates.map(|angles| {
         let mut placed = angles;
         for (angle, &wanted) in placed.iter_mut().zip(near) {
@@ -132,17 +200,17 @@ fn nearest_of(candidates: [[f64; 3]; 2], near: &[f64]) -> Vec<f64> {
         placed
     });
     let distance = |angles: &[f64; 3]| angles.iter().zip(near).map(|(a, b)| (a - b).abs()).sum::<f64>();
-    if distance(&placed[0]) <= distance(&placed[1]) { placed[0].to_vec() } else { placed[1].to_vec() }
+    if distance(&placed[0]) <= distance(&placed[1]) { placed[0] } else { placed[1] }
 }
 
 /// a, b, c with R = Rz(a) Ry(b) Rx(c), nearest to `near`.
-fn zyx_near(rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
+fn zyx_near(rotation: &Matrix3<f64>, near: &[f64; 3]) -> [f64; 3] {
     let sin_b = -rotation[(2, 0)];
     let cos_b = rotation[(0, 0)].hypot(rotation[(1, 0)]);
     let b = sin_b.atan2(cos_b);
     if cos_b < 1e-9 {
         // Only a - c (or a + c) is determined: keep the a that was written.
-        let a = near.first().copied().unwrap_or(0.0);
+        let a = near[0];
         let rest = rotation_y(-b) * rotation_z(-a) * rotation;
         let c = rest[(2, 1)].atan2(rest[(1, 1)]);
         return nearest_of([[a, b, c], [a, b, c]], near);
@@ -154,11 +222,11 @@ fn zyx_near(rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
 }
 
 /// o, a, t with R = Rz(o) Ry(a) Rz(t), nearest to `near`.
-fn zyz_near(rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
+fn zyz_near(rotation: &Matrix3<f64>, near: &[f64; 3]) -> [f64; 3] {
     let sin_a = rotation[(0, 2)].hypot(rotation[(1, 2)]);
     let a = sin_a.atan2(rotation[(2, 2)]);
     if sin_a < 1e-9 {
-        let o = near.first().copied().unwrap_or(0.0);
+        let o = near[0];
         let rest = rotation_y(-a) * rotation_z(-o) * rotation;
         let t = rest[(1, 0)].atan2(rest[(0, 0)]);
         return nearest_of([[o, a, t], [o, a, t]], near);
@@ -170,16 +238,16 @@ fn zyz_near(rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
 }
 
 /// The rotation vector, continued past half a turn when `near` is.
-fn vector_near(rotation: &Matrix3<f64>, near: &[f64]) -> Vec<f64> {
+fn vector_near(rotation: &Matrix3<f64>, near: &[f64; 3]) -> [f64; 3] {
     let v = vector_from_rotation(rotation);
-    let wanted = Vector3::from_iterator(near.iter().copied().chain([0.0; 3]).take(3));
+    let wanted = Vector3::from(*near);
     let angle = v.norm();
     if angle < 1e-9 {
-        return v.iter().copied().collect();
+        return v.into();
     }
     let axis = v / angle;
     let along = axis.dot(&wanted);
-    (axis * angle_near(angle, along)).iter().copied().collect()
+    (axis * angle_near(angle, along)).into()
 }
 
 #[cfg(test)]

@@ -62,7 +62,7 @@ pub fn gather<'a>(model: &ArmModel, recordings: &'a [Recording]) -> Gathered<'a>
         };
         let reason = match (observation.measured, copied.get(&index)) {
             (None, _) => Some(Reason::Unmeasured),
-            (_, Some(&of)) => Some(Reason::Copy { of: observations[of].id.clone() }),
+            (_, Some(&of)) => Some(Reason::Copy { of: observations[of].id.clone(), line: observations[of].line }),
             _ => impossible(),
         };
         match (reason, observation.measured) {

@@ -8,6 +8,7 @@
 
 pub mod ball;
 pub mod calibrate;
+pub mod candidates;
 pub mod estimate;
 pub mod gather;
 pub mod identifiability;

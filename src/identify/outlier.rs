@@ -19,6 +19,8 @@ pub enum Reason {
     Copy {
         /// The name of that record.
         of: String,
+        /// Its line.
+        line: usize,
     },
     /// The arm cannot stand there.
     Impossible {
@@ -78,7 +80,7 @@ impl std::fmt::Display for Reason {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Reason::Unmeasured => write!(f, "no position was measured"),
-            Reason::Copy { of } => write!(f, "it repeats record `{of}` to the last digit"),
+            Reason::Copy { of, line } => write!(f, "it repeats record `{of}` (line {line}) to the last digit"),
             Reason::Impossible { why } => write!(f, "the arm cannot stand there: {why}"),
             Reason::Swapped(a, b) => write!(f, "{} and {} are exchanged", AXES[*a], AXES[*b]),
             Reason::Reversed(axis) => write!(f, "{} has the wrong sign", AXES[*axis]),

@@ -5,6 +5,10 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::measure::observation::{Measured, Observation};
 use crate::model::arm::ArmModel;
+use crate::model::learner::Learner;
+use crate::model::linkage::actuators_from_numbers;
+use crate::model::parameters::{ParameterId, RowQuantity};
+use crate::model::robot::DOF;
 use crate::model::uncertainty::Uncertainty;
 
 use super::ball;
@@ -72,11 +76,44 @@ fn spread_of(problem: &Problem<'_>, state: &State, uncertainty: &Uncertainty) ->
     let unknowns: Vec<Unknown> =
         uncertainty.ids.iter().map(|&id| Unknown { id: UnknownId::Model(id), prior: any }).collect();
     let jacobian: DMatrix<f64> = problem.jacobian(state, &unknowns)?;
+    let learned = spread_of_learner(problem, state)?;
     Ok((0..problem.records.len())
         .map(|index| {
             let rows = jacobian.fixed_rows::<3>(3 * index);
             let spread = rows * &uncertainty.covariance * rows.transpose();
-            spread.fixed_view::<3, 3>(0, 0).into_owned()
+            spread.fixed_view::<3, 3>(0, 0) + learned[index]
+        })
+        .collect())
+}
+
+/// Covariance of each position by the uncertainty of learned curves, m^2, through the levers of the actuators.
+fn spread_of_learner(problem: &Problem<'_>, state: &State) -> Result<Vec<Matrix3<f64>>, NoPose> {
+    let Some(Learner::Curves(curves)) = &state.model.learner else {
+        return Ok(vec![Matrix3::zeros(); problem.records.len()]);
+    };
+    let any = Prior { mean: 0.0, sigma: 1.0 };
+    let zeros: Vec<Unknown> = (0..DOF)
+        .map(|joint| Unknown { id: UnknownId::Model(ParameterId::Row(joint, RowQuantity::Offset)), prior: any })
+        .collect();
+    let levers = problem.jacobian(state, &zeros)?;
+    let prepared = state.model.prepared();
+    Ok(problem
+        .records
+        .iter()
+        .enumerate()
+        .map(|(index, record)| {
+            let observation = record.observation;
+            // The Jacobian has placed the record: this cannot fail any more.
+            let stand = prepared.at(&observation.numbers_rad, &observation.conditions, None);
+            let torques = stand.map_or([0.0; DOF], |stand| stand.statics.actuator_torque_nm);
+            let angles = actuators_from_numbers(&state.model.robot, &observation.numbers_rad);
+            let sigma_rad = curves.sigma_rad(&angles, &torques, &observation.conditions);
+            (0..DOF)
+                .map(|actuator| {
+                    let lever: Vector3<f64> = levers.fixed_view::<3, 1>(3 * index, actuator) * sigma_rad[actuator];
+                    lever * lever.transpose()
+                })
+                .sum()
         })
         .collect())
 }

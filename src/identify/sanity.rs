@@ -14,6 +14,8 @@ use super::prior::reach_m;
 
 /// Records that are looked at: enough to tell readings apart, few enough for a hundred trials.
 const SAMPLE: usize = 150;
+/// Records looked at where two changes are tried together.
+const SAMPLE_FOR_PAIRS: usize = 50;
 /// Another reading is believed when it fits this many times better.
 const DECISIVE: f64 = 4.0;
 /// A misfit below this part of the reach is what calibration is for: no other reading is looked for.
@@ -127,12 +129,6 @@ impl Change {
 }
 
 impl Reading {
-    fn with(&self, change: Change) -> Self {
-        let mut changes = self.changes.clone();
-        changes.push(change);
-        Self { changes }
-    }
-
     fn words(&self) -> String {
         self.changes.iter().map(|change| change.words()).collect::<Vec<_>>().join(" and ")
     }
@@ -207,7 +203,8 @@ pub fn check(nominal: &ArmModel, records: &[&Observation]) -> Result<Checked, Mi
     Ok(Checked { placement: as_given })
 }
 
-/// The simplest reading that fits decisively better: one change, or two where one helps but does not suffice.
+/// The simplest reading that fits decisively better: one change, else two of which at least one says how the whole file
+/// is meant (units, handedness).
 fn best_reading(
     prepared: &PreparedArm<'_, f64>,
     sample: &[&Observation],
@@ -215,29 +212,31 @@ fn best_reading(
     given: &Placement,
 ) -> Option<(Reading, Placement)> {
     let changes = Change::all(tool.is_some());
-    let best_of = |start: &Reading| {
+    let best_after = |first: Option<Change>, sample: &[&Observation]| {
         changes
             .iter()
-            .filter(|change| !start.changes.contains(change))
+            .filter(|&&change| Some(change) != first)
             .filter_map(|&change| {
-                let reading = start.with(change);
+                let reading = Reading { changes: first.into_iter().chain([change]).collect() };
                 let placement = reading.place(prepared, sample, tool)?;
                 Some((reading, placement))
             })
             .min_by(|a, b| a.1.typical_misfit_m.total_cmp(&b.1.typical_misfit_m))
     };
-    let (one, placed) = best_of(&Reading::default())?;
-    let decisive =
-        |placement: &Placement, against: &Placement| placement.typical_misfit_m * DECISIVE < against.typical_misfit_m;
-    if !decisive(&placed, given) {
-        return None;
+    let decisive = |found: &(Reading, Placement), against_m: f64| found.1.typical_misfit_m * DECISIVE < against_m;
+    let one = best_after(None, sample);
+    let few: Vec<&Observation> =
+        sample.iter().step_by(sample.len().div_ceil(SAMPLE_FOR_PAIRS).max(1)).copied().collect();
+    let whole_file = changes
+        .iter()
+        .filter(|change| matches!(change, Change::LengthUnit(..) | Change::Radians | Change::Mirrored))
+        .filter_map(|&first| best_after(Some(first), &few))
+        .min_by(|a, b| a.1.typical_misfit_m.total_cmp(&b.1.typical_misfit_m));
+    let one_m = one.as_ref().map_or(f64::INFINITY, |one| one.1.typical_misfit_m.min(given.typical_misfit_m));
+    if let Some(two) = whole_file.filter(|two| decisive(two, one_m)) {
+        return Some(two);
     }
-    if let Some((two, placed_twice)) = best_of(&one)
-        && decisive(&placed_twice, &placed)
-    {
-        return Some((two, placed_twice));
-    }
-    Some((one, placed))
+    one.filter(|one| decisive(one, given.typical_misfit_m))
 }
 
 /// The base of the robot file against the one that fits.

@@ -7,8 +7,9 @@ use super::problem::{NoPose, Problem};
 use super::state::State;
 use super::unknown::Unknown;
 
-/// Steps that change the estimate by less than this part of its standard uncertainty end the iteration.
-const SMALL_STEP: f64 = 1e-4;
+/// Steps that change the estimate by less than this part of its standard uncertainty end the iteration: what a further
+/// step would change is smaller still.
+const SMALL_STEP: f64 = 1e-3;
 /// Largest number of Jacobians.
 const MOST_STEPS: usize = 40;
 /// Damping at which a step is called hopeless.
@@ -91,14 +92,16 @@ pub fn solve(problem: &Problem<'_>, start: State, unknowns: &[Unknown], weights:
             // Its length in standard uncertainties: |R D x|, the change of the whitened fit.
             let scaled = DVector::from_iterator(step.len(), step.iter().zip(&factor.scale).map(|(x, s)| x * s));
             let length = (&factor.r * &scaled).norm();
+            // Where stated sigmas are too small, the spread of the residuals themselves says what is certain.
+            let small = SMALL_STEP * (cost / residuals.len().max(1) as f64).sqrt().max(1.0);
             let mut next = state.clone();
             for (unknown, change) in unknowns.iter().zip(step.iter()) {
                 next.add(unknown.id, *change);
             }
             if let Ok(next_residuals) = problem.residuals(&next) {
                 let next_cost = cost_of(&next_residuals, &whitening, &roots, &next, unknowns);
-                if next_cost <= cost || length < SMALL_STEP {
-                    break Some((next, next_residuals, next_cost, length));
+                if next_cost <= cost || length < small {
+                    break Some((next, next_residuals, next_cost, length < small));
                 }
             }
             damping = if damping == 0.0 { 1e-4 } else { damping * 8.0 };
@@ -107,10 +110,10 @@ pub fn solve(problem: &Problem<'_>, start: State, unknowns: &[Unknown], weights:
             }
         };
         let small = match accepted {
-            Some((next, next_residuals, next_cost, length)) => {
+            Some((next, next_residuals, next_cost, small)) => {
                 (state, residuals, cost) = (next, next_residuals, next_cost);
                 damping = if damping < 1e-4 { 0.0 } else { damping * 0.1 };
-                length < SMALL_STEP
+                small
             }
             None => {
                 termination = Termination::Stalled;
@@ -142,6 +145,24 @@ fn finish(
 ) -> Fit {
     let covariance_root = factor.inverse_root();
     Fit { state, unknowns: unknowns.to_vec(), residuals, whitened_jacobian, covariance_root, cost, termination }
+}
+
+/// One undamped step on the linear problem whose Jacobian (`plain`, not whitened) is given: the step, the covariance root
+/// and the Jacobian whitened with the records' sigmas.
+pub fn linear_step(
+    problem: &Problem<'_>,
+    state: &State,
+    unknowns: &[Unknown],
+    residuals: &DVector<f64>,
+    plain: &DMatrix<f64>,
+) -> (DVector<f64>, DMatrix<f64>, DMatrix<f64>) {
+    let whitening = problem.whitening();
+    let roots = row_weights(problem, &[]);
+    let mut jacobian = plain.clone();
+    scale_rows(&mut jacobian, &whitening);
+    let (stacked, right) = normal_rows(&jacobian, residuals, &whitening, &roots, state, unknowns);
+    let factor = Factor::new(stacked, &right);
+    (factor.solve(0.0), factor.inverse_root(), jacobian)
 }
 
 /// Square root of each row's weight.

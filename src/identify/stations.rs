@@ -139,6 +139,12 @@ fn tool_rotation(model: &ArmModel, entries: &[Entry<'_>], flange_of: &dyn Fn(&En
     }
 }
 
+/// Stations that could have a frame of their own and have none: not the reference, and seen often enough.
+pub fn candidates(problem: &Problem<'_>, own_frame: &[bool]) -> Vec<usize> {
+    let records = |station: usize| problem.records.iter().filter(|record| record.station == station).count();
+    (1..own_frame.len()).filter(|&station| !own_frame[station] && records(station) >= FEWEST).collect()
+}
+
 /// The station that has moved most evidently against the others, if any: a rigid motion explains most of its
 /// residuals, and they are large against those of the rest.
 ///
@@ -149,12 +155,9 @@ pub fn moved(problem: &Problem<'_>, state: &State, own_frame: &[bool]) -> Result
     let lengths = lengths_of(problem, &residuals);
     let firsts = problem.first_rows();
     let mut worst: Option<(usize, f64)> = None;
-    for station in 1..own_frame.len() {
+    for station in candidates(problem, own_frame) {
         let members: Vec<usize> =
             (0..problem.records.len()).filter(|&index| problem.records[index].station == station).collect();
-        if own_frame[station] || members.len() < FEWEST {
-            continue;
-        }
         let points: Vec<Vector3<f64>> =
             members.iter().map(|&index| problem.records[index].measured.position_m).collect();
         let misses: Vec<Vector3<f64>> =

@@ -171,16 +171,8 @@ fn calibration(outcome: &Outcome<'_>, recordings: &[Recording], left: &Left) -> 
 
 /// The box of joint numbers of the fitted records.
 fn region(outcome: &Outcome<'_>) -> Option<Region> {
-    let numbers = || outcome.fitted.iter().map(|&index| &outcome.entries[index].observation.numbers_rad);
-    let first = numbers().next()?;
-    let mut region = Region { min_rad: *first, max_rad: *first };
-    for joints in numbers() {
-        for joint in 0..DOF {
-            region.min_rad[joint] = region.min_rad[joint].min(joints[joint]);
-            region.max_rad[joint] = region.max_rad[joint].max(joints[joint]);
-        }
-    }
-    Some(region)
+    let numbers = outcome.fitted.iter().map(|&index| &outcome.entries[index].observation.numbers_rad);
+    Region::covering(numbers)
 }
 
 fn recording_report(outcome: &Outcome<'_>, recording: &Recording, index: usize) -> RecordingReport {
@@ -224,7 +216,9 @@ fn stages(outcome: &Outcome<'_>) -> Result<Vec<Stage>, NoPose> {
     let mut all: Vec<Stage> =
         outcome.stages.iter().map(|one| stage(one.name, one.free, &one.state)).collect::<Result<_, _>>()?;
     let refitted_to_validation = split.source == SplitSource::Regions;
-    if !refitted_to_validation && outcome.fitted.len() > split.identify.len() {
+    // A learner's stage has seen the training records too.
+    let learned = outcome.delivered.fit.state.model.learner.is_some();
+    if !learned && !refitted_to_validation && outcome.fitted.len() > split.identify.len() {
         let fit = &outcome.delivered.fit;
         all.push(stage("refitted_with_training", fit.unknowns.len(), &fit.state)?);
     }

@@ -1,8 +1,10 @@
 //! Newton's method on the full model of the real arm, in joint numbers, for all six coordinates of the pose.
 //!
-//! The matrix is the geometric Jacobian of the real chain; what compliance, gears and network add to it is left out.
-//! Those change the derivative by less than a hundredth, so that each step leaves less than a hundredth of the error
-//! (physics: 4 mm become 0.02 mm, then 0.1 um).
+//! The matrix is the geometric Jacobian of the real chain. What compliance adds to it is not needed: a given pose fixes
+//! the torques, so that the deflection there is known and the command leads it by just that. So steps and rounds of
+//! equilibrium are one: each step corrects the pose, and the command by what the deflection has changed since. What
+//! gears and network add changes the derivative by less than a hundredth, so that each step leaves less than a
+//! hundredth of the error.
 
 use nalgebra::{Matrix6, Vector6};
 
@@ -10,11 +12,15 @@ use crate::geometry::pose::{Pose, pose_difference};
 use crate::model::arm::{ArmError, ArmModel, ArmState, PreparedArm};
 use crate::model::chain::displacement_pose;
 use crate::model::conditions::Conditions;
+use crate::model::effect::Response;
 use crate::model::jacobian::jacobian_from_chain as flange_jacobian;
+use crate::model::linkage::numbers_from_actuators;
 use crate::model::robot::{DOF, LimitViolation, Robot};
 
 /// Remaining error at which a pose counts as reached: 0.05 um and 0.05 urad, a twentieth of what is promised.
 const REACHED: f64 = 5e-8;
+/// Change of the links' and axes' deflection, m and rad, that counts as none.
+const SETTLED: f64 = 1e-9;
 /// Steps after which the search is given up.
 const MOST_STEPS: usize = 30;
 /// Largest turn of a joint between the nominal solution and the corrected one, rad. Corrections are milliradians; a
@@ -46,6 +52,8 @@ pub struct Correction {
     pub numbers_rad: [f64; DOF],
     /// Steps taken; zero when the nominal solution was right already.
     pub iterations: usize,
+    /// Where the flange of the real arm stands at the nominal command, in the nominal robot base.
+    pub nominal_lands: Pose,
     /// How far the nominal command would have missed, m.
     pub missed_by_m: f64,
     /// How far it would have missed in orientation, rad.
@@ -111,18 +119,19 @@ impl<'a> RealArm<'a> {
         let target = self.base_error.inverse() * meant.base_t_flange;
         let mut numbers_rad = *nominal_rad;
         let mut state = self.prepared.at(&numbers_rad, meant.conditions, None)?;
+        let nominal_lands = self.base_error * state.base_t_flange;
         let mut error = remaining(&target, &state);
         let (missed_by_m, missed_by_rad) = norms(&error);
-        let mut iterations = 0;
-        let first_handedness = self.handedness(&state);
-        while !reached(&error) {
+        let mut jacobian = self.jacobian(&state);
+        let first_handedness = handedness(&jacobian);
+        let (mut iterations, mut bends_by) = (0, 0.0);
+        while !reached(&error) || bends_by > SETTLED {
             let (left_m, left_rad) = norms(&error);
             let stuck = InversionError::Singular { iterations, left_m, left_rad };
             if iterations == MOST_STEPS {
                 return Err(stuck);
             }
-            let step =
-                step(&flange_jacobian(self.robot(), &state.chain, &state.angles), &error).ok_or(stuck.clone())?;
+            let step = step(&jacobian, &error).ok_or(stuck.clone())?;
             for (number, turn) in numbers_rad.iter_mut().zip(&step) {
                 *number += turn;
             }
@@ -130,26 +139,39 @@ impl<'a> RealArm<'a> {
             if ran_off {
                 return Err(stuck);
             }
-            state = self.prepared.at(&numbers_rad, meant.conditions, Some(&state.response))?;
-            error = remaining(&target, &state);
+            let assumed = state.response;
+            state = self.prepared.round(&numbers_rad, meant.conditions, &assumed)?;
+            jacobian = self.jacobian(&state);
+            error = remaining(&target, &state) - jacobian * self.further(&state.response, &assumed);
+            bends_by = state.response.largest_change_of_shape(&assumed);
             iterations += 1;
         }
         let (left_m, left_rad) = norms(&error);
         if iterations > 0 {
-            if self.handedness(&state) != first_handedness {
+            if handedness(&jacobian) != first_handedness {
                 return Err(InversionError::Singular { iterations, left_m, left_rad });
             }
             if let Some(violation) = self.robot().limit_violation(&numbers_rad, 0.0) {
                 return Err(InversionError::Limit(violation));
             }
         }
-        Ok(Correction { numbers_rad, iterations, missed_by_m, missed_by_rad, left_m, left_rad })
+        Ok(Correction { numbers_rad, iterations, nominal_lands, missed_by_m, missed_by_rad, left_m, left_rad })
     }
 
-    /// The sign of the Jacobian's determinant: it changes where two branches of the inverse meet.
-    fn handedness(&self, state: &ArmState<f64>) -> bool {
-        flange_jacobian(self.robot(), &state.chain, &state.angles).determinant() > 0.0
+    fn jacobian(&self, state: &ArmState<f64>) -> Matrix6<f64> {
+        flange_jacobian(self.robot(), &state.chain, &state.angles)
     }
+
+    /// How much further the drives deflect than was assumed, as joint numbers, rad.
+    fn further(&self, response: &Response<f64>, assumed: &Response<f64>) -> Vector6<f64> {
+        let turns = std::array::from_fn(|joint| response.actuators_rad[joint] - assumed.actuators_rad[joint]);
+        numbers_from_actuators(self.robot(), &turns).into()
+    }
+}
+
+/// The sign of the Jacobian's determinant: it changes where two branches of the inverse meet.
+fn handedness(jacobian: &Matrix6<f64>) -> bool {
+    jacobian.determinant() > 0.0
 }
 
 fn remaining(target: &Pose, state: &ArmState<f64>) -> Vector6<f64> {

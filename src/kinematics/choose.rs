@@ -6,7 +6,7 @@ use crate::model::robot::{DOF, LimitViolation};
 
 use super::controller::{Controller, STRAIGHT_RAD};
 use super::posture::{Posture, Singularity};
-use super::solution::{Branches, NoSolution, Solution};
+use super::solution::{Branches, NoSolution, Stance};
 use super::turns::{LIMIT_SLACK_RAD, Preference, nearest_in, outside};
 
 /// What a program says about the solution it means; the default says nothing.
@@ -59,7 +59,7 @@ impl Controller {
     /// [`NoSolution::JointLimit`] when every solution lies outside the limits by more than [`LIMIT_SLACK_RAD`].
     pub fn choose(
         &self,
-        branches: &Branches,
+        branches: &Branches<impl Copy + Into<Stance>>,
         wish: &Wish,
         previous_rad: Option<&[f64; DOF]>,
     ) -> Result<Choice, NoSolution> {
@@ -67,9 +67,10 @@ impl Controller {
         let preference = Preference { near_rad, intervals_rad: wish.intervals_rad };
         let straight = wish.straight_wrist_rad.max(STRAIGHT_RAD);
         let mut contest = Contest { controller: self, wish, preference, straight, best: None, nearest_limit: None };
-        branches.iter().for_each(|solution| contest.enter(solution));
+        let branches = branches.map(|&one| one.into());
+        contest.enter_all(&branches);
         if branches.iter().any(|solution| self.leaves_freedom(solution, straight)) {
-            self.enter_free_turns(branches, &mut contest);
+            self.enter_free_turns(&branches, &mut contest);
         }
         contest.result()
     }
@@ -91,13 +92,13 @@ impl Controller {
         self.choose(&branches, wish, previous_rad)
     }
 
-    fn leaves_freedom(&self, solution: &Solution, straight_rad: f64) -> bool {
+    fn leaves_freedom(&self, solution: &Stance, straight_rad: f64) -> bool {
         solution.singularity.wrist_sin < straight_rad || solution.singularity.shoulder_m < STRAIGHT_RAD
     }
 
     /// Enters the solutions in which the free turn is the preferred one, or lies at an end of what the intervals of
     /// the two wrist joints allow.
-    fn enter_free_turns(&self, branches: &Branches, contest: &mut Contest<'_>) {
+    fn enter_free_turns(&self, branches: &Branches<Stance>, contest: &mut Contest<'_>) {
         let Preference { near_rad, intervals_rad } = contest.preference;
         let free = self.free_row();
         let straight = contest.straight;
@@ -154,7 +155,26 @@ impl Entry {
 }
 
 impl Contest<'_> {
-    fn enter(&mut self, solution: &Solution) {
+    /// Enters all, the one whose posture is wished for first: next to it most others need no closer look.
+    fn enter_all(&mut self, branches: &Branches<Stance>) {
+        let mut likeliest = (f64::INFINITY, 0);
+        for (index, stance) in branches.iter().enumerate() {
+            let mismatch = self.posture_violation_rad(stance);
+            if mismatch < likeliest.0 {
+                likeliest = (mismatch, index);
+            }
+        }
+        branches.iter().skip(likeliest.1).take(1).for_each(|stance| self.enter(stance));
+        let others = branches.iter().enumerate().filter(|&(index, _)| index != likeliest.1);
+        others.for_each(|(_, stance)| self.enter(stance));
+    }
+
+    fn enter(&mut self, solution: &Stance) {
+        let by_posture = self.posture_violation_rad(solution);
+        let is_beaten = |best: &Entry| by_posture >= ROUNDING_RAD && by_posture > best.choice.wish_violation_rad;
+        if self.best.as_ref().is_some_and(is_beaten) {
+            return;
+        }
         let numbers_rad = self.controller.place(&solution.actuators_rad, &self.preference);
         if let Some(violation) = self.controller.robot().limit_violation(&numbers_rad, LIMIT_SLACK_RAD) {
             let over = outside(violation.value_rad, violation.min_rad, violation.max_rad);
@@ -169,7 +189,7 @@ impl Contest<'_> {
             posture: solution.posture,
             singularity: solution.singularity,
             singular,
-            wish_violation_rad: self.violation_rad(solution, &numbers_rad),
+            wish_violation_rad: by_posture + self.beside_intervals_rad(&numbers_rad),
         };
         let apart = numbers_rad.iter().zip(&self.preference.near_rad).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
         let entry = Entry { choice, distance: apart };
@@ -178,15 +198,17 @@ impl Contest<'_> {
         }
     }
 
-    fn violation_rad(&self, solution: &Solution, numbers_rad: &[f64; DOF]) -> f64 {
+    fn beside_intervals_rad(&self, numbers_rad: &[f64; DOF]) -> f64 {
         let intervals = numbers_rad.iter().zip(&self.wish.intervals_rad);
-        let beside: f64 = intervals.filter_map(|(&q, interval)| interval.map(|(from, to)| outside(q, from, to))).sum();
+        intervals.filter_map(|(&q, interval)| interval.map(|(from, to)| outside(q, from, to))).sum()
+    }
+
+    fn posture_violation_rad(&self, solution: &Stance) -> f64 {
         let Singularity { shoulder_m, elbow_sin, wrist_sin } = solution.singularity;
         let mismatch = |wished: Option<bool>, is: bool, margin: f64| {
             if wished.is_some_and(|wished| wished != is) { PI * (margin / CLEARLY).min(1.0) } else { 0.0 }
         };
-        beside
-            + mismatch(self.wish.rear, solution.posture.rear, shoulder_m / self.controller.size_m())
+        mismatch(self.wish.rear, solution.posture.rear, shoulder_m / self.controller.size_m())
             + mismatch(self.wish.elbow_down, solution.posture.elbow_down, elbow_sin)
             + mismatch(self.wish.wrist_negative, solution.posture.wrist_negative, wrist_sin)
     }

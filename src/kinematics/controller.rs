@@ -12,9 +12,9 @@ use crate::model::robot::{DOF, LOOP_AROUND, LOOP_DRIVEN, Robot};
 
 use super::closed_form::{ClosedForm, Freedom, Root, Shortage};
 use super::numeric::follow;
-use super::posture::{Posture, PostureFrame, Singularity};
+use super::posture::PostureFrame;
 use super::skeleton::Skeleton;
-use super::solution::{Branches, NoSolution, Solution};
+use super::solution::{Branches, NoSolution, Solution, Stance};
 use super::turns::{LIMIT_SLACK_RAD, Preference, TurnPlacer, nearest_in};
 
 /// How a robot's inverse kinematics is solved.
@@ -171,7 +171,8 @@ impl Controller {
     /// built-in and random arms; rs-opw-kinematics has no solution that is not among these.
     pub fn inverse(&self, base_t_flange: &Pose) -> Result<Branches, NoSolution> {
         let freedom = self.freedom(&self.home_rad, STRAIGHT_RAD);
-        self.inverse_with(base_t_flange, &freedom, None)
+        let stances = self.inverse_with(base_t_flange, &freedom, None)?;
+        Ok(stances.map(|stance| self.solution(stance)))
     }
 
     /// Calls `each` with every combination of full turns of a solution that the limits allow.
@@ -197,7 +198,7 @@ impl Controller {
         base_t_flange: &Pose,
         freedom: &Freedom,
         near_rad: Option<&[f64; DOF]>,
-    ) -> Result<Branches, NoSolution> {
+    ) -> Result<Branches<Stance>, NoSolution> {
         let finite = base_t_flange.translation.iter().chain(base_t_flange.rotation.iter()).all(|x| x.is_finite());
         if !finite {
             return Err(NoSolution::NotFinite);
@@ -218,18 +219,19 @@ impl Controller {
         if branches.is_empty() { Err(NoSolution::LoopOpen) } else { Ok(branches) }
     }
 
-    fn push_root(&self, base_t_flange: &Pose, root: &Root, freedom: &Freedom, branches: &mut Branches) {
+    fn push_root(&self, base_t_flange: &Pose, root: &Root, freedom: &Freedom, branches: &mut Branches<Stance>) {
         let mut theta = root.theta_rad;
         if root.misfit > POLISH_ABOVE && root.opening_sin > freedom.straight_below_rad {
             theta = follow(&self.rows, &self.still, base_t_flange, &theta, self.size_m).theta_rad;
         }
         let (posture, singularity) = self.frame.read(&root.swung, root.bend_sin, theta[4], root.opening_sin);
         if let Ok(actuators_rad) = self.actuators(&theta) {
-            branches.push(self.solution(actuators_rad, posture, singularity));
+            branches.push(Stance { actuators_rad, posture, singularity });
         }
     }
 
-    pub(super) fn solution(&self, actuators_rad: [f64; DOF], posture: Posture, singularity: Singularity) -> Solution {
+    fn solution(&self, stance: &Stance) -> Solution {
+        let Stance { actuators_rad, posture, singularity } = *stance;
         let preference = Preference { near_rad: self.home_rad, intervals_rad: [None; DOF] };
         let numbers_rad = self.place(&actuators_rad, &preference);
         let within_limits = self.robot.limit_violation(&numbers_rad, LIMIT_SLACK_RAD).is_none();

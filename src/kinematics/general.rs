@@ -8,7 +8,7 @@ use crate::model::robot::DOF;
 use super::closed_form::Freedom;
 use super::controller::{Controller, NEARLY};
 use super::numeric::{Ended, follow, spread_starts};
-use super::solution::{Branches, MOST_BRANCHES, NoSolution};
+use super::solution::{Branches, MOST_BRANCHES, NoSolution, Stance};
 use super::turn::Turn;
 
 /// Starts for an arm that is near to no family.
@@ -23,7 +23,7 @@ impl Controller {
         base_t_flange: &Pose,
         freedom: &Freedom,
         near_rad: Option<&[f64; DOF]>,
-        branches: &mut Branches,
+        branches: &mut Branches<Stance>,
     ) -> Result<(), NoSolution> {
         let mut found = Found { theta_rad: [[0.0; DOF]; MOST_BRANCHES], count: 0, missed_m: f64::MAX };
         let mut from = |start: &[f64; DOF]| {
@@ -55,7 +55,7 @@ impl Controller {
         if found.count == 0 { Err(NoSolution::OutOfReach { by_m: found.missed_m }) } else { Ok(()) }
     }
 
-    fn push_found(&self, theta_rad: &[f64; DOF], branches: &mut Branches) {
+    fn push_found(&self, theta_rad: &[f64; DOF], branches: &mut Branches<Stance>) {
         let chain = self.rows.at(theta_rad, &self.still);
         let axis = |joint: usize| chain.axes[joint].direction;
         let center = chain.frames[3].transform_point(&self.center_in_fourth);
@@ -68,7 +68,7 @@ impl Controller {
         let opening_sin = axis(self.wrist_axis).cross(&axis(5)).norm();
         let (posture, singularity) = self.frame.read(&swung, bend_sin, theta_rad[4], opening_sin);
         if let Ok(actuators_rad) = self.actuators(theta_rad) {
-            branches.push(self.solution(actuators_rad, posture, singularity));
+            branches.push(Stance { actuators_rad, posture, singularity });
         }
     }
 }

@@ -5,6 +5,23 @@ use crate::model::robot::{DOF, LimitViolation};
 
 use super::posture::{Posture, Singularity};
 
+/// One way to stand in a pose, before full turns of the joints are thought of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stance {
+    /// Actuator angles, rad; each may be turned by whole turns.
+    pub actuators_rad: [f64; DOF],
+    /// How the arm stands.
+    pub posture: Posture,
+    /// How near it is to where postures meet.
+    pub singularity: Singularity,
+}
+
+impl From<Solution> for Stance {
+    fn from(Solution { actuators_rad, posture, singularity, .. }: Solution) -> Self {
+        Self { actuators_rad, posture, singularity }
+    }
+}
+
 /// One way to stand in a pose, up to full turns of the joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution {
@@ -25,29 +42,35 @@ pub const MOST_BRANCHES: usize = 16;
 
 /// All ways to stand in a pose, up to full turns; kept without allocation.
 #[derive(Clone, Copy, Debug)]
-pub struct Branches {
+pub struct Branches<S = Solution> {
     /// The pose that they all stand in.
     pub base_t_flange: Pose,
-    places: [Option<Solution>; MOST_BRANCHES],
+    places: [Option<S>; MOST_BRANCHES],
     count: usize,
 }
 
-impl Branches {
+impl<S: Copy> Branches<S> {
     /// None yet.
     pub(super) fn none(base_t_flange: &Pose) -> Self {
         Self { base_t_flange: *base_t_flange, places: [None; MOST_BRANCHES], count: 0 }
     }
 
     /// Adds one; beyond [`MOST_BRANCHES`] (a continuum at a singular pose) further ones are left out.
-    pub(super) fn push(&mut self, solution: Solution) {
+    pub(super) fn push(&mut self, solution: S) {
         if let Some(place) = self.places.get_mut(self.count) {
             *place = Some(solution);
             self.count += 1;
         }
     }
 
+    /// The same branches, each as `convert` makes it.
+    pub(super) fn map<T: Copy>(&self, convert: impl Fn(&S) -> T) -> Branches<T> {
+        let places = self.places.each_ref().map(|place| place.as_ref().map(&convert));
+        Branches { base_t_flange: self.base_t_flange, places, count: self.count }
+    }
+
     /// Every solution, also those that the joint limits forbid.
-    pub fn iter(&self) -> impl Iterator<Item = &Solution> {
+    pub fn iter(&self) -> impl Iterator<Item = &S> {
         self.places.iter().take(self.count).flatten()
     }
 

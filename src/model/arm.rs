@@ -1,15 +1,14 @@
-//! The real arm: nominal robot, errors, effects and network together, at static equilibrium.
+//! The real arm: nominal robot, errors, effects and what was learned together, at static equilibrium.
 
 use crate::geometry::pose::Pose;
 
 use super::chain::{Chain, Rows, displacement_pose};
-use super::conditions::Conditions;
-use super::effect::{Context, Effect, Location, ModelScalar, Response, Setting};
-use super::linkage::{LoopErrors, LoopOpen, RowAngles, actuators_from_numbers, row_angles};
-use super::network::{Output, ResidualNetwork};
+use super::effect::{Effect, Location, ModelScalar, Response};
+use super::learner::{Learner, ReadyLearner};
+use super::linkage::{LoopErrors, LoopOpen, RowAngles};
 use super::parameters::Parameters;
 use super::robot::{DOF, LOOP_AROUND, Robot};
-use super::statics::{Load, Statics, largest_torque_nm};
+use super::statics::{Statics, largest_torque_nm};
 
 /// An effect at its place. Its parameters stand in [`Parameters::effects`] at the same index.
 #[derive(Clone, Copy)]
@@ -40,7 +39,7 @@ pub struct ArmModel {
     /// The effects, joint compliances of the robot file first.
     pub effects: Vec<EffectInstance>,
     /// What is learned on top.
-    pub network: Option<ResidualNetwork>,
+    pub learner: Option<Learner>,
 }
 
 impl ArmModel {
@@ -59,7 +58,7 @@ impl ArmModel {
             robot,
             parameters,
             effects,
-            network: None,
+            learner: None,
         }
     }
 
@@ -72,19 +71,16 @@ impl ArmModel {
             robot,
             parameters,
             effects: Vec::new(),
-            network: None,
+            learner: None,
         }
     }
 
-    /// True when some effect that is on, or the network, asks in which sense a joint arrives.
+    /// True when some effect that is on, or the learner, asks in which sense a joint arrives.
     pub fn depends_on_approach(&self) -> bool {
         let by_effect = self.effects.iter().zip(&self.parameters.effects).any(|(instance, values)| {
             instance.effect.meta().needs.approach && values.iter().any(|&value| value != 0.0)
         });
-        let by_network = self.network.as_ref().is_some_and(|network| {
-            network.features.iter().any(|feature| matches!(feature, super::network::Feature::Approach(_)))
-        });
-        by_effect || by_network
+        by_effect || self.learner.as_ref().is_some_and(Learner::depends_on_approach)
     }
 
     /// The model with its parameters over the scalar `T`, ready to be evaluated many times.
@@ -96,7 +92,8 @@ impl ArmModel {
         };
         let largest_torque_nm = std::array::from_fn(|joint| largest_torque_nm(&self.robot, joint));
         let rows = Rows::new(&self.robot, &parameters);
-        PreparedArm { rows, loop_errors, largest_torque_nm, model: self, parameters }
+        let learner = self.learner.as_ref().map(Learner::ready);
+        PreparedArm { rows, loop_errors, largest_torque_nm, learner, model: self, parameters }
     }
 
     /// [`ArmModel::prepare`] with the model's own parameters.
@@ -116,11 +113,12 @@ fn arm_length_error<T: ModelScalar>(robot: &Robot, parameters: &Parameters<T>) -
 
 /// An [`ArmModel`] with the constant parts of its rows worked out.
 pub struct PreparedArm<'a, T: ModelScalar> {
-    model: &'a ArmModel,
-    parameters: Parameters<T>,
-    rows: Rows<T>,
-    loop_errors: LoopErrors<T>,
-    largest_torque_nm: [f64; DOF],
+    pub(super) model: &'a ArmModel,
+    pub(super) parameters: Parameters<T>,
+    pub(super) rows: Rows<T>,
+    pub(super) loop_errors: LoopErrors<T>,
+    pub(super) largest_torque_nm: [f64; DOF],
+    pub(super) learner: Option<ReadyLearner<'a>>,
 }
 
 /// The arm in one pose.
@@ -134,16 +132,11 @@ pub struct ArmState<T: ModelScalar> {
     pub angles: RowAngles<T>,
     /// Actuator angles as commanded.
     pub actuators_rad: [T; DOF],
-    /// What the effects add.
+    /// What the effects add under the loads of this pose.
     pub response: Response<T>,
-    /// Loads at equilibrium.
+    /// Loads in this pose.
     pub statics: Statics<T>,
 }
-
-/// Change of the deflection, rad, below which the equilibrium counts as reached: 0.3 nm at 3 m.
-const EQUILIBRIUM_RAD: f64 = 1e-10;
-/// Rounds after which an equilibrium that still moves is called unstable. Compliances contract by 1e-3 a round.
-const EQUILIBRIUM_ROUNDS: usize = 40;
 
 /// Why the model has no pose for these joint numbers.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -165,88 +158,6 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         self.model
     }
 
-    /// The arm at these joint numbers.
-    ///
-    /// Deflection depends on torque and torque on the deflected pose: rounds of both until neither changes.
-    /// `start` is a guess of what the effects add to the actuators (from a pose near by).
-    ///
-    /// # Errors
-    /// [`ArmError`] when the loop is torn or no equilibrium exists.
-    pub fn at(
-        &self,
-        numbers_rad: &[T; DOF],
-        conditions: &Conditions,
-        start: Option<&Response<T>>,
-    ) -> Result<ArmState<T>, ArmError> {
-        let robot = &self.model.robot;
-        let commanded = actuators_from_numbers(robot, numbers_rad);
-        let mut load = Load::declared(robot, conditions.payload.as_ref());
-        let setting = Setting { robot, conditions, actuators_rad: &commanded };
-        for (instance, parameters) in self.model.effects.iter().zip(&self.parameters.effects) {
-            T::load(instance.effect, &instance.location, parameters, &setting, &mut load);
-        }
-        let mut response = start.copied().unwrap_or_else(Response::none);
-        let mut change_rad = f64::INFINITY;
-        let mut settled = 0;
-        for _ in 0..EQUILIBRIUM_ROUNDS {
-            let standing: [T; DOF] = std::array::from_fn(|joint| {
-                commanded[joint] + self.parameters.rows[joint].offset_rad + response.actuators_rad[joint]
-            });
-            let angles = row_angles(robot, &standing, &self.loop_errors)?;
-            let chain = self.rows.at(&angles.theta_rad, &response);
-            let statics = Statics::of(robot, &chain, &angles, &load);
-            let context = Context {
-                robot,
-                largest_torque_nm: &self.largest_torque_nm,
-                conditions,
-                actuators_rad: &commanded,
-                angles: &angles,
-                chain: &chain,
-                statics: &statics,
-                load: &load,
-            };
-            let next = self.respond(&context);
-            change_rad = largest_change(&next, &response);
-            response = next;
-            settled = if change_rad < EQUILIBRIUM_RAD { settled + 1 } else { 0 };
-            if settled > T::ROUNDS_FOR_DERIVATIVES {
-                let base_t_flange = self.flange(&chain, &commanded, &statics, conditions);
-                return Ok(ArmState { base_t_flange, chain, angles, actuators_rad: commanded, response, statics });
-            }
-        }
-        Err(ArmError::NoEquilibrium { change_rad })
-    }
-
-    fn respond(&self, context: &Context<'_, T>) -> Response<T> {
-        let mut response = Response::none();
-        for (instance, parameters) in self.model.effects.iter().zip(&self.parameters.effects) {
-            T::respond(instance.effect, &instance.location, parameters, context, &mut response);
-        }
-        if let Some(network) = self.network_for(Output::Actuators) {
-            let torque = &context.statics.actuator_torque_nm;
-            let learned = network.outputs(context.actuators_rad, torque, context.conditions);
-            for (joint, angle) in learned.into_iter().enumerate() {
-                response.turn(joint, angle);
-            }
-        }
-        response
-    }
-
-    fn flange(&self, chain: &Chain<T>, commanded: &[T; DOF], statics: &Statics<T>, conditions: &Conditions) -> Pose<T> {
-        let mut flange = chain.flange();
-        if let Some(network) = self.network_for(Output::Position) {
-            let learned = network.outputs(commanded, &statics.actuator_torque_nm, conditions);
-            for (coordinate, shift) in flange.translation.iter_mut().zip(learned) {
-                *coordinate += shift;
-            }
-        }
-        flange
-    }
-
-    fn network_for(&self, output: Output) -> Option<&ResidualNetwork> {
-        self.model.network.as_ref().filter(|network| network.output == output)
-    }
-
     /// `measuring_T_base` with its error.
     pub fn measuring_t_base(&self) -> Pose<T> {
         Pose::constant(&self.model.measuring_t_base) * displacement_pose(&self.parameters.base)
@@ -263,32 +174,11 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
     }
 }
 
-/// The largest change of anything between two rounds, rad or m.
-fn largest_change<T: ModelScalar>(next: &Response<T>, last: &Response<T>) -> f64 {
-    let mut largest: f64 = 0.0;
-    let mut compare = |a: &T, b: &T| {
-        let difference = (a.value() - b.value()).abs();
-        // `max` would take no number for no change.
-        largest = if difference.is_nan() { f64::INFINITY } else { largest.max(difference) };
-    };
-    next.actuators_rad.iter().zip(&last.actuators_rad).for_each(|(a, b)| compare(a, b));
-    if next.links_move || last.links_move {
-        next.links.iter().flatten().zip(last.links.iter().flatten()).for_each(|(a, b)| compare(a, b));
-    }
-    if next.axes_tilt || last.axes_tilt {
-        let flat = |response: &Response<T>| response.tilt.map(|tilt| [tilt.x, tilt.y, tilt.z]);
-        flat(next).iter().flatten().zip(flat(last).iter().flatten()).for_each(|(a, b)| compare(a, b));
-    }
-    if next.base_moves || last.base_moves {
-        next.base.iter().zip(&last.base).for_each(|(a, b)| compare(a, b));
-    }
-    largest
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::real::{DUAL_WIDTH, Dual, Real, derivatives, seeded};
+    use crate::model::conditions::Conditions;
     use crate::model::fixture;
     use crate::model::parameters::{ParameterId, Rod, RowQuantity};
 

@@ -7,6 +7,7 @@
 
 use nalgebra::Vector2;
 
+use crate::geometry::orientation::angle_near;
 use crate::geometry::real::Real;
 
 use super::robot::{DOF, LOOP_AROUND, LOOP_DRIVEN, Parallelogram, Robot};
@@ -177,16 +178,16 @@ fn close_loop<T: Real>(
     if cosine.value().is_nan() || cosine.value().abs() >= 1.0 {
         return Err(LoopOpen);
     }
-    let toward_q = num_dual::DualNum::atan2(&s_to_q.y, s_to_q.x);
-    let opening = num_dual::DualNum::acos(&cosine);
-    let branches = [toward_q + opening, toward_q - opening];
-    let away = |angle: &T| ((angle.value() - crank_angle.value()) * 0.5).sin().abs();
-    let chosen = if away(&branches[0]) <= away(&branches[1]) { branches[0] } else { branches[1] };
+    // The rocker leans off the line to Q by the angle of that cosine, to the side on which the crank is nearer.
+    let sine = num_dual::DualNum::sqrt(&((T::one() - cosine) * (T::one() + cosine)));
+    let beside = s_to_q.x * crank_unit.y - s_to_q.y * crank_unit.x;
+    let side = if beside.value() >= 0.0 { sine } else { -sine };
+    let toward_q = s_to_q / distance;
+    let rocker_unit = toward_q * cosine + across(&toward_q) * side;
     // Same turn as the crank, so that t3 is continuous.
-    let turns = ((crank_angle.value() - chosen.value()) / std::f64::consts::TAU).round();
-    let angle_rad = chosen + T::constant(turns * std::f64::consts::TAU);
+    let angle = num_dual::DualNum::atan2(&rocker_unit.y, rocker_unit.x);
+    let angle_rad = angle + T::constant(angle_near(angle.value(), crank_angle.value()) - angle.value());
 
-    let rocker_unit = direction(angle_rad);
     let coupler = rocker_unit * rocker_m - s_to_q;
     // How R, Q and S turn: d/dt of the three pins per radian of rocker, crank and arm.
     let (rocker_swing, crank_swing, arm_swing) =

@@ -4,14 +4,18 @@
 pub mod arm;
 pub mod chain;
 pub mod conditions;
+pub mod curves;
 pub mod effect;
+mod equilibrium;
 #[cfg(test)]
 pub(crate) mod fixture;
 pub mod inertia;
 pub mod jacobian;
+pub mod learner;
 pub mod linkage;
 pub mod network;
 pub mod parameters;
+pub mod ready_network;
 pub mod robot;
 pub mod statics;
 pub mod uncertainty;

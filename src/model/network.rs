@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::real::Real;
 
 use super::conditions::Conditions;
+use super::ready_network::ReadyNetwork;
 use super::robot::DOF;
 
 /// One input of the network. Joints count from one, as in files.
@@ -112,58 +113,28 @@ impl ResidualNetwork {
         Ok(())
     }
 
-    /// The outputs (the first [`Output::count`] of the array) at these actuator angles and loads.
-    pub fn outputs<T: Real>(
-        &self,
-        actuators_rad: &[T; DOF],
-        actuator_torque_nm: &[T; DOF],
-        conditions: &Conditions,
-    ) -> [T; DOF] {
-        let inputs: Vec<T> = self
-            .features
-            .iter()
-            .zip(self.shift.iter().zip(&self.scale))
-            .map(|(feature, (&shift, &scale))| {
-                let raw = feature.value(actuators_rad, actuator_torque_nm, conditions);
-                (raw - T::constant(shift)) / T::constant(scale)
-            })
-            .collect();
-        let mut out = [T::zero(); DOF];
-        for member in &self.members {
-            member.add_to(&inputs, &mut out);
-        }
-        let share = T::constant(1.0 / self.members.len().max(1) as f64);
-        out.map(|number| number * share)
+    /// The network laid out for many evaluations.
+    pub fn ready(&self) -> ReadyNetwork {
+        ReadyNetwork::new(self)
     }
 }
 
 impl Feature {
-    fn value<T: Real>(self, angles: &[T; DOF], torques: &[T; DOF], conditions: &Conditions) -> T {
+    /// Its value; `turns` are sine and cosine of the angles.
+    pub(super) fn value<T: Real>(
+        self,
+        angles: &[T; DOF],
+        turns: &[(T, T); DOF],
+        torques: &[T; DOF],
+        conditions: &Conditions,
+    ) -> T {
         let joint = |from_one: usize| from_one.clamp(1, DOF) - 1;
         match self {
             Feature::Angle(at) => angles[joint(at)],
-            Feature::Sine(at) => num_dual::DualNum::sin(&angles[joint(at)]),
-            Feature::Cosine(at) => num_dual::DualNum::cos(&angles[joint(at)]),
+            Feature::Sine(at) => turns[joint(at)].0,
+            Feature::Cosine(at) => turns[joint(at)].1,
             Feature::Torque(at) => torques[joint(at)],
             Feature::Approach(at) => T::constant(conditions.approach[joint(at)]),
-        }
-    }
-}
-
-impl Layers {
-    fn add_to<T: Real>(&self, inputs: &[T], out: &mut [T; DOF]) {
-        for (number, bias) in out.iter_mut().zip(&self.output_biases) {
-            *number += T::constant(*bias);
-        }
-        for (unit, (weights, bias)) in self.hidden_weights.iter().zip(&self.hidden_biases).enumerate() {
-            let sum = weights
-                .iter()
-                .zip(inputs)
-                .fold(T::constant(*bias), |sum, (weight, input)| sum + *input * T::constant(*weight));
-            let activation = num_dual::DualNum::tanh(&sum);
-            for (number, row) in out.iter_mut().zip(&self.output_weights) {
-                *number += activation * T::constant(row[unit]);
-            }
         }
     }
 }
@@ -192,7 +163,7 @@ mod tests {
     fn the_output_is_the_formula_worked_by_hand() {
         let network = network();
         assert_eq!(network.check(), Ok(()));
-        let out = network.outputs(&[0.3, 0.8, 0.0, 0.0, 0.0, 0.0], &[0.0; DOF], &Conditions::default());
+        let out = network.ready().outputs(&[0.3, 0.8, 0.0, 0.0, 0.0, 0.0], &[0.0; DOF], &Conditions::default());
         let (x0, x1) = (0.3f64.sin(), (0.8 - 1.0) / 2.0);
         let (h0, h1) = ((0.5 * x0 - 0.25 * x1 + 0.1).tanh(), (x0 + 2.0 * x1 - 0.2).tanh());
         for (found, expected) in out.iter().zip([h0, h1, 2.0 * h0 - h1 + 0.5]) {

@@ -3,8 +3,10 @@
 //!
 //! A dialect never changes text. It says where numbers stand and what they mean; floor 5 decides on edits.
 
+pub mod decimal;
 pub mod dialect;
 pub mod flow;
 pub mod number;
 pub mod scan;
+pub mod selection;
 pub mod target;

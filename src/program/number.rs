@@ -8,6 +8,8 @@ use nom::{IResult, Parser};
 
 use crate::base::text::Span;
 
+use super::decimal::{Decimal, POWERS_OF_TEN};
+
 /// A number in the text of a program, or a place where one may be inserted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NumberField {
@@ -87,18 +89,44 @@ pub fn starts_with_word(text: &[u8], word: &str) -> bool {
 
 /// Reads a signed number at `at`, without skipping blanks; `None` when there is none or it is not finite.
 pub fn number_at(bytes: &[u8], at: usize) -> Option<NumberField> {
-    let (_, text) = signed(bytes.get(at..)?).ok()?;
+    let rest = bytes.get(at..)?;
+    let (length, value, decimals) = plain_number(rest).or_else(|| any_number(rest))?;
+    Some(NumberField { span: Span::new(at, at + length), value, decimals, insertion: None, column: None })
+}
+
+/// Length, value and decimals of a number of any spelling.
+fn any_number(text: &[u8]) -> Option<(usize, f64, usize)> {
+    let (_, text) = signed(text).ok()?;
     let value: f64 = std::str::from_utf8(text).ok()?.parse().ok()?;
-    if !value.is_finite() {
+    value.is_finite().then(|| (text.len(), value, decimals_of(text)))
+}
+
+/// The same for the spelling of nearly all numbers, without exponent and with at most fifteen digits: there digits and
+/// power of ten are exact doubles, and their quotient is the nearest double (Clinger 1990). `None` for all others.
+fn plain_number(text: &[u8]) -> Option<(usize, f64, usize)> {
+    const MOST_DIGITS: usize = 15;
+    let signed = matches!(text.first(), Some(b'+' | b'-'));
+    let start = usize::from(signed);
+    let (mut at, mut digits, mut point) = (start, 0u64, None);
+    while let Some(&byte) = text.get(at) {
+        match byte {
+            b'0'..=b'9' => digits = digits.wrapping_mul(10).wrapping_add(u64::from(byte - b'0')),
+            b'.' if point.is_none() => point = Some(at),
+            _ => break,
+        }
+        at += 1;
+        if at - start > MOST_DIGITS + 1 {
+            return None;
+        }
+    }
+    let count = at - start - usize::from(point.is_some());
+    let has_exponent = matches!(text.get(at), Some(b'e' | b'E'));
+    if count == 0 || count > MOST_DIGITS || has_exponent {
         return None;
     }
-    Some(NumberField {
-        span: Span::new(at, at + text.len()),
-        value,
-        decimals: decimals_of(text),
-        insertion: None,
-        column: None,
-    })
+    let decimals = point.map_or(0, |point| at - point - 1);
+    let size = digits as f64 / POWERS_OF_TEN[decimals];
+    Some((at, if text[0] == b'-' { -size } else { size }, decimals))
 }
 
 fn decimals_of(text: &[u8]) -> usize {
@@ -112,15 +140,12 @@ fn decimals_of(text: &[u8]) -> usize {
     usize::try_from((places as i64).saturating_sub(shift)).unwrap_or(0).min(17)
 }
 
-/// `value` with `decimals` digits after the point, in the style of `field`: a leading `+` stays, a negative zero is
-/// written without its sign, a fixed column keeps its width where the digits fit.
+/// `decimal` in the style of `field`: a leading `+` stays, a negative zero is written without its sign, a fixed column
+/// keeps its width where the digits fit.
 ///
 /// Returns the range to replace (the column where there is one) and the text.
-pub fn written(field: &NumberField, original: &[u8], value: f64, decimals: usize) -> (Span, String) {
-    let mut text = format!("{value:.decimals$}");
-    if text.starts_with('-') && text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.')) {
-        text.remove(0);
-    }
+pub fn written(field: &NumberField, original: &[u8], decimal: &Decimal) -> (Span, String) {
+    let mut text = decimal.text();
     if original.first() == Some(&b'+') && !text.starts_with('-') {
         text.insert(0, '+');
     }
@@ -165,13 +190,24 @@ mod tests {
     #[test]
     fn numbers_are_written_in_the_style_of_their_field() {
         let plain = field("-12.34");
-        assert_eq!(written(&plain, b"-12.34", -0.00001, 3).1, "0.000");
-        assert_eq!(written(&plain, b"+12.34", 1.5, 2).1, "+1.50");
+        assert_eq!(written(&plain, b"-12.34", &Decimal::nearest(-0.00001, 3)).1, "0.000");
+        assert_eq!(written(&plain, b"+12.34", &Decimal::nearest(1.5, 2)).1, "+1.50");
         let column = NumberField { column: Some(Span::new(0, 9)), ..field("1.5") };
-        assert_eq!(written(&column, b"1.5", 2.25, 3), (Span::new(0, 9), "    2.250".into()));
+        assert_eq!(written(&column, b"1.5", &Decimal::nearest(2.25, 3)), (Span::new(0, 9), "    2.250".into()));
         let insertion = Some(Box::new(Insertion { before: " x=\"".into(), after: "\"".into() }));
         let absent = NumberField { span: Span::new(7, 7), insertion, ..field("0") };
-        assert_eq!(written(&absent, b"", 2.25, 2), (Span::new(7, 7), " x=\"2.25\"".into()));
+        assert_eq!(written(&absent, b"", &Decimal::nearest(2.25, 2)), (Span::new(7, 7), " x=\"2.25\"".into()));
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn plain_numbers_are_read_as_any_number_is(text in "[+-]?[0-9]{0,17}\\.?[0-9]{0,17}([eE][+-]?[0-9]{1,2})?[ ,.eE]?") {
+            if let Some((length, value, decimals)) = plain_number(text.as_bytes()) {
+                let (known_length, known_value, known_decimals) = any_number(text.as_bytes()).expect("a number");
+                proptest::prop_assert_eq!((length, decimals), (known_length, known_decimals));
+                proptest::prop_assert_eq!(value.to_bits(), known_value.to_bits());
+            }
+        }
     }
 
     #[test]

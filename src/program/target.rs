@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Span;
 use crate::base::units::{M_PER_MM, m_from_mm};
-use crate::geometry::orientation::OrientationConvention;
+use crate::geometry::orientation::{OrientationConvention, OrientationNumbers};
 use crate::geometry::pose::Pose;
 
 use super::number::NumberField;
@@ -33,8 +33,22 @@ pub struct Program {
     /// Files that are read with the job and never written, because other jobs share them: their targets stay as they
     /// are. Known to the one who reads files, not to the dialect.
     pub read_only: BTreeSet<usize>,
+    /// The declarations of named targets that may be copied under another name, by index of the target.
+    pub declarations: BTreeMap<usize, Declaration>,
     /// What the reader has to say: broken lines, suspicious units, a missing end.
     pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Where a named target is declared, in a language in which a copy of the declaration under a new name declares another
+/// target.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Declaration {
+    /// The whole statement, with what ends it.
+    pub statement: Span,
+    /// The name in it.
+    pub name: Span,
+    /// Where moves name the target, directly or to displace it: file of the job and the name there.
+    pub mentions: Vec<(usize, Span)>,
 }
 
 /// A definition in the program: its value, or why the value is not in the text.
@@ -279,12 +293,17 @@ impl CartesianNumbers {
     /// The pose in its frame; `None` when the numbers make no orientation.
     pub fn pose(&self) -> Option<Pose> {
         let rotation = self.convention.rotation(&self.orientation_in_radians())?;
-        let translation = position_m(&self.position, self.units);
+        let translation = position_m(values(&self.position), self.units);
         Some(Pose { rotation, translation })
     }
 
+    /// True when the numbers make an orientation, so that there is a [`CartesianNumbers::pose`].
+    pub fn has_orientation(&self) -> bool {
+        self.convention.is_rotation(&self.orientation_in_radians())
+    }
+
     /// The orientation numbers with angles in radians.
-    pub fn orientation_in_radians(&self) -> Vec<f64> {
+    pub fn orientation_in_radians(&self) -> OrientationNumbers {
         let scale = if self.convention.is_quaternion() { 1.0 } else { self.units.angle_rad() };
         self.orientation.iter().map(|field| field.value * scale).collect()
     }
@@ -298,6 +317,11 @@ impl JointNumbers {
 }
 
 /// Three length numbers as a vector, m. Millimetres are divided, so that 0.1 mm stays the nearest double.
-pub fn position_m(fields: &[NumberField; 3], units: Units) -> Vector3<f64> {
-    Vector3::from_fn(|axis, _| if units.metres { fields[axis].value } else { m_from_mm(fields[axis].value) })
+pub fn position_m(numbers: [f64; 3], units: Units) -> Vector3<f64> {
+    Vector3::from(numbers).map(|number| if units.metres { number } else { m_from_mm(number) })
+}
+
+/// The values of some number fields.
+pub fn values<const N: usize>(fields: &[NumberField; N]) -> [f64; N] {
+    fields.each_ref().map(|field| field.value)
 }

@@ -44,9 +44,9 @@ pub fn class_by_text(target: &Target) -> (Class, Option<String>) {
         TargetValue::Unwritten => (Class::Computed, Some("its value is not in the text".into())),
         TargetValue::Joint(_) => (Class::Joint, None),
         TargetValue::Displaced(_) => (Class::Corrected, None),
-        TargetValue::Cartesian(numbers) => match numbers.pose() {
-            Some(_) => (Class::Corrected, None),
-            None => (Class::Refused, Some("its numbers make no pose: the orientation has no length".into())),
+        TargetValue::Cartesian(numbers) => match numbers.has_orientation() {
+            true => (Class::Corrected, None),
+            false => (Class::Refused, Some("its numbers make no pose: the orientation has no length".into())),
         },
     }
 }

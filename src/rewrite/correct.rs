@@ -19,6 +19,7 @@ use super::displaced;
 use super::outcome::{Figures, Outcome, TargetOutcome};
 use super::setting::{Obstacle, Setting, Settings};
 use super::visits::{Visit, follow, senses};
+use super::words;
 
 /// What the caller may ask for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -143,10 +144,13 @@ impl Work<'_> {
                 let class = if class == Class::Joint { Class::Joint } else { Class::Computed };
                 TargetOutcome::left(class, reason.to_string())
             }
-            Ok(figures) => {
-                TargetOutcome { class: Class::Corrected, reason: both_sides(arrivals), figures: Some(figures) }
-            }
-            Err(obstacle) => TargetOutcome::left(obstacle.class, obstacle.reason),
+            Ok(figures) => TargetOutcome {
+                class: Class::Corrected,
+                reason: both_sides(arrivals),
+                figures: Some(figures),
+                shared: false,
+            },
+            Err(Obstacle { class, reason, shared }) => TargetOutcome { shared, ..TargetOutcome::left(class, reason) },
         }
     }
 
@@ -175,10 +179,11 @@ impl Work<'_> {
         for other in all {
             let (shift, turn) = pose_difference(&other.figures.after, &first.figures.after);
             if shift.norm() > SAME_TARGET || turn.norm() > SAME_TARGET {
-                return Err(Obstacle::refused(format!(
+                let reason = format!(
                     "used with different tools, frames or loads in lines {} and {}: no single value lands for both",
                     first.use_line, other.use_line
-                )));
+                );
+                return Err(Obstacle { shared: true, ..Obstacle::refused(reason) });
             }
         }
         Ok(first.figures)
@@ -192,7 +197,10 @@ impl Work<'_> {
         outcomes: &[TargetOutcome],
     ) -> Result<Figures, Obstacle> {
         let setting = self.settings.get(visit.setting).as_ref().map_err(Obstacle::clone)?;
-        let nominal_rad = visit.nominal_rad.clone()?;
+        let nominal_rad = visit.nominal_rad.clone().map_err(|obstacle| {
+            let reason = words::with_travel(obstacle.reason, &self.job.program.targets[index]);
+            Obstacle { reason, ..obstacle }
+        })?;
         let conditions = Conditions { approach, payload: setting.payload, ..Conditions::default() };
         let figures = match &self.job.program.targets[index].value {
             TargetValue::Displaced(displacement) => {
@@ -223,11 +231,12 @@ impl Work<'_> {
         let is_joint = matches!(self.job.program.targets[index].value, TargetValue::Joint(_));
         let written = if is_joint { setting.target(&forward(nominal_rad)?) } else { visit.written };
         let meant = MeantPose { base_t_flange: setting.meant_flange(&written), conditions };
-        let correction = self.arm.command(&meant, nominal_rad).map_err(|error| Obstacle::refused(error.to_string()))?;
+        let in_words = |error| Obstacle::refused(words::no_command(&error, self.controller, nominal_rad));
+        let correction = self.arm.command(&meant, nominal_rad).map_err(in_words)?;
         // With nothing to correct the target stays the very numbers it was.
         let after =
             if correction.iterations == 0 { written } else { setting.target(&forward(&correction.numbers_rad)?) };
-        let lands_before = self.lands(setting, nominal_rad, conditions)?;
+        let lands_before = setting.landed(&correction.nominal_lands);
         Ok(figures(&correction, *nominal_rad, written, after, lands_before))
     }
 

@@ -4,7 +4,9 @@ use nalgebra::Matrix3;
 
 use crate::base::edit::EditSet;
 use crate::base::text::Source;
+use crate::geometry::orientation::OrientationNumbers;
 use crate::geometry::pose::{Pose, vector_from_rotation};
+use crate::program::decimal::Decimal;
 use crate::program::number::{NumberField, NumberRules, written};
 use crate::program::target::{CartesianNumbers, JointNumbers, Units, position_m};
 
@@ -20,47 +22,44 @@ fn decimals_that_suffice(unit_size: f64) -> usize {
     if needed > 0.0 { needed as usize } else { 0 }
 }
 
-/// Writes the numbers of a group: with the decimals of the file where `error` of the rounded numbers is small enough,
-/// else with as many as always suffice.
-fn write_group(
-    fields: &[&NumberField],
-    exact: &[f64],
+/// The numbers of a group, rounded: to the decimals of the file where `error` of the rounded numbers is small enough,
+/// else to as many as always suffice.
+fn rounded<const N: usize>(
+    fields: &[NumberField],
+    exact: &[f64; N],
     unit_size: f64,
     rules: &NumberRules,
     error: impl Fn(&[f64]) -> f64,
-) -> Vec<usize> {
-    let own: Vec<usize> = fields.iter().map(|field| field.decimals.min(rules.max_decimals)).collect();
-    let rounded: Vec<f64> = exact.iter().zip(&own).map(|(&number, &decimals)| round(number, decimals)).collect();
-    if error(&rounded) <= ROUNDING {
-        return own;
+) -> [Decimal; N] {
+    let own = |at: usize| fields.get(at).map_or(0, |field| field.decimals.min(rules.max_decimals));
+    let as_in_file: [Decimal; N] = std::array::from_fn(|at| Decimal::nearest(exact[at], own(at)));
+    let values = as_in_file.map(|decimal| decimal.value());
+    if error(&values[..fields.len().min(N)]) <= ROUNDING {
+        return as_in_file;
     }
     let enough = decimals_that_suffice(unit_size).min(rules.max_decimals);
-    own.iter().map(|&decimals| decimals.max(enough)).collect()
-}
-
-fn round(number: f64, decimals: usize) -> f64 {
-    format!("{number:.decimals$}").parse().unwrap_or(number)
+    std::array::from_fn(|at| Decimal::nearest(exact[at], own(at).max(enough)))
 }
 
 /// Adds the edits of a group and gives the numbers as they will be read.
-fn push_group(
+fn push_group<const N: usize>(
     edits: &mut EditSet,
     source: &Source,
-    fields: &[&NumberField],
-    exact: &[f64],
-    decimals: &[usize],
-) -> Vec<f64> {
-    let mut as_read = Vec::with_capacity(fields.len());
-    for ((field, &number), &decimals) in fields.iter().zip(exact).zip(decimals) {
-        let rounded = round(number, decimals);
+    fields: &[NumberField],
+    exact: &[f64; N],
+    decimals: &[Decimal; N],
+) -> [f64; N] {
+    let mut as_read = *exact;
+    for ((field, (&number, decimal)), read) in fields.iter().zip(exact.iter().zip(decimals)).zip(&mut as_read) {
+        let rounded = decimal.value();
         // A number that does not change keeps its spelling; a default that is left out stays out.
         if rounded == field.value || (number - field.value).abs() < f64::EPSILON * 16.0 * number.abs() {
-            as_read.push(field.value);
+            *read = field.value;
             continue;
         }
-        let (span, text) = written(field, source.slice(field.span), number, decimals);
+        let (span, text) = written(field, source.slice(field.span), decimal);
         edits.push(span, text);
-        as_read.push(rounded);
+        *read = rounded;
     }
     as_read
 }
@@ -82,19 +81,18 @@ pub fn write_pose(
     }
     let quaternion = numbers.convention.is_quaternion();
     let unit = if quaternion { 1.0 } else { numbers.units.angle_rad() };
-    let exact: Vec<f64> =
-        numbers.convention.numbers(&pose.rotation, &near).iter().map(|number| number / unit).collect();
+    let exact = numbers.convention.numbers(&pose.rotation, &near).map(|number| number / unit).padded();
     let read = |values: &[f64]| {
-        let in_radians: Vec<f64> = values.iter().map(|value| value * unit).collect();
+        let in_radians: OrientationNumbers = values.iter().map(|value| value * unit).collect();
         numbers.convention.rotation(&in_radians)
     };
     // A quaternion's components turn twice as far as they change.
     let unit_size = if quaternion { 2.0 } else { unit };
-    let fields: Vec<&NumberField> = numbers.orientation.iter().collect();
+    let fields = &numbers.orientation;
     let error = |values: &[f64]| read(values).map_or(f64::INFINITY, |rotation| turned_by(&rotation));
-    let decimals = write_group(&fields, &exact, unit_size, rules, error);
-    let as_read = push_group(edits, source, &fields, &exact, &decimals);
-    Pose { rotation: read(&as_read).unwrap_or(pose.rotation), translation }
+    let decimals = rounded(fields, &exact, unit_size, rules, error);
+    let as_read = push_group(edits, source, fields, &exact, &decimals);
+    Pose { rotation: read(&as_read[..fields.len().min(4)]).unwrap_or(pose.rotation), translation }
 }
 
 /// Writes three lengths; gives them as they will be read back, m.
@@ -107,16 +105,10 @@ pub fn write_position(
     exact_m: &nalgebra::Vector3<f64>,
 ) -> nalgebra::Vector3<f64> {
     let unit = units.length_m();
-    let fields: Vec<&NumberField> = position.iter().collect();
-    let exact: Vec<f64> = exact_m.iter().map(|length| if units.metres { *length } else { length * 1e3 }).collect();
+    let exact: [f64; 3] = exact_m.map(|length| if units.metres { length } else { length * 1e3 }).into();
     let error = |values: &[f64]| values.iter().zip(&exact).map(|(a, b)| ((a - b) * unit).powi(2)).sum::<f64>().sqrt();
-    let decimals = write_group(&fields, &exact, unit, rules, error);
-    let as_read = push_group(edits, source, &fields, &exact, &decimals);
-    let mut read_back = position.clone();
-    for (field, value) in read_back.iter_mut().zip(as_read) {
-        field.value = value;
-    }
-    position_m(&read_back, units)
+    let decimals = rounded(position, &exact, unit, rules, error);
+    position_m(push_group(edits, source, position, &exact, &decimals), units)
 }
 
 /// Writes six joint values; gives them as they will be read back, rad.
@@ -129,14 +121,12 @@ pub fn write_joints(
     reach_m: f64,
 ) -> [f64; 6] {
     let unit = numbers.units.angle_rad();
-    let fields: Vec<&NumberField> = numbers.joints.iter().collect();
-    let exact: Vec<f64> = exact_rad.iter().map(|angle| angle / unit).collect();
+    let exact = exact_rad.map(|angle| angle / unit);
     // A joint's error moves the tool by at most its angle times the reach.
     let error =
         |values: &[f64]| values.iter().zip(&exact).map(|(a, b)| (a - b).abs() * unit * reach_m.max(1.0)).sum::<f64>();
-    let decimals = write_group(&fields, &exact, unit * 2.0 * reach_m.max(1.0), rules, error);
-    let as_read = push_group(edits, source, &fields, &exact, &decimals);
-    std::array::from_fn(|joint| as_read[joint] * unit)
+    let decimals = rounded(&numbers.joints, &exact, unit * 2.0 * reach_m.max(1.0), rules, error);
+    push_group(edits, source, &numbers.joints, &exact, &decimals).map(|number| number * unit)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::kinematics::choose::Wish;
 use crate::kinematics::controller::Controller;
 use crate::model::conditions::Conditions;
 use crate::model::robot::DOF;
-use crate::program::target::{Displacement, DisplacementKind, position_m};
+use crate::program::target::{Displacement, DisplacementKind, position_m, values};
 
 use crate::invert::RealArm;
 
@@ -21,7 +21,7 @@ const MOST_ROUNDS: usize = 20;
 
 /// The pose at a displacement from `base`, both in the frame of the base target.
 pub fn displaced(base: &Pose, displacement: &Displacement) -> Pose {
-    let shift = position_m(&displacement.position, displacement.units);
+    let shift = position_m(values(&displacement.position), displacement.units);
     let translation = match displacement.kind {
         DisplacementKind::Frame => base.translation + shift,
         DisplacementKind::Tool => base.translation + base.rotation * shift,

@@ -8,7 +8,9 @@ mod displaced;
 pub mod outcome;
 pub mod play;
 mod setting;
+pub mod split;
 mod visits;
+mod words;
 
 pub use class::{Class, class_by_text};
 pub use correct::{Job, Options, correct};

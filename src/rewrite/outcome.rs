@@ -24,6 +24,8 @@ pub struct TargetOutcome {
     pub reason: Option<String>,
     /// The figures of a corrected target.
     pub figures: Option<Figures>,
+    /// True when it is refused because its uses need different values.
+    pub shared: bool,
 }
 
 /// The figures of a corrected target.
@@ -52,7 +54,7 @@ pub struct Figures {
 impl TargetOutcome {
     /// A target that is left alone.
     pub fn left(class: Class, reason: impl Into<Option<String>>) -> Self {
-        Self { class, reason: reason.into(), figures: None }
+        Self { class, reason: reason.into(), figures: None, shared: false }
     }
 }
 

@@ -17,17 +17,19 @@ pub struct Obstacle {
     pub class: Class,
     /// For a person.
     pub reason: String,
+    /// True when several values would do what a single one cannot: see [`super::split`].
+    pub shared: bool,
 }
 
 impl Obstacle {
     /// There is no solution.
     pub fn refused(reason: impl Into<String>) -> Self {
-        Self { class: Class::Refused, reason: reason.into() }
+        Self { class: Class::Refused, reason: reason.into(), shared: false }
     }
 
     /// The value is known only at run time.
     pub fn computed(reason: impl Into<String>) -> Self {
-        Self { class: Class::Computed, reason: reason.into() }
+        Self { class: Class::Computed, reason: reason.into(), shared: false }
     }
 }
 

@@ -27,7 +27,7 @@ pub fn spoil(robot: Robot, random: &mut ChaCha8Rng) -> ArmModel {
     for compliance in &mut model.parameters.effects {
         compliance[0] = any(heavy).abs();
     }
-    model.network = Some(network(random));
+    model.learner = Some(network(random).into());
     model
 }
 

@@ -8,7 +8,9 @@ use crate::base::text::{Source, Span};
 use crate::base::units::{deg_from_rad, rad_from_deg};
 use crate::geometry::pose::Pose;
 use crate::model::arm::{ArmModel, EffectInstance};
+use crate::model::curves::JointCurves;
 use crate::model::effect::{self, Location};
+use crate::model::learner::Learner;
 use crate::model::network::ResidualNetwork;
 use crate::model::parameters::ParameterId;
 use crate::model::robot::DOF;
@@ -69,6 +71,19 @@ pub struct Region {
     pub max_rad: [f64; DOF],
 }
 
+impl Region {
+    /// The smallest box around these joint numbers; `None` around none.
+    pub fn covering<'a>(numbers_rad: impl IntoIterator<Item = &'a [f64; DOF]>) -> Option<Self> {
+        let mut all = numbers_rad.into_iter();
+        let first = *all.next()?;
+        let grow = |region: Self, numbers: &[f64; DOF]| Self {
+            min_rad: std::array::from_fn(|joint| region.min_rad[joint].min(numbers[joint])),
+            max_rad: std::array::from_fn(|joint| region.max_rad[joint].max(numbers[joint])),
+        };
+        Some(all.fold(Self { min_rad: first, max_rad: first }, grow))
+    }
+}
+
 /// Where a model comes from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -115,6 +130,8 @@ struct ModelEntry {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     stations: Vec<StationEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    curves: Option<JointCurves>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     region: Option<RegionEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     provenance: Option<Provenance>,
@@ -138,6 +155,7 @@ struct EffectsFileEntry {
     #[serde(default)]
     effects: Vec<EffectEntry>,
     network: Option<ResidualNetwork>,
+    curves: Option<JointCurves>,
     noise_sigma_mm: Option<f64>,
     seed: Option<u64>,
 }
@@ -245,7 +263,7 @@ pub fn read(source: &Source) -> Result<Calibration, FileError> {
     let mut sigma = fill_geometry(source, &mut arm, &entry.parameters)?;
     let (places, effect_sigma) = fill_effects(source, &mut arm, &entry.effects)?;
     sigma.extend(effect_sigma);
-    fill_network(source, &mut arm, entry.network)?;
+    arm.learner = learner(source, entry.network, entry.curves)?;
     let stations = entry
         .stations
         .iter()
@@ -287,7 +305,7 @@ pub fn read_effects(source: &Source, robot: crate::model::robot::Robot) -> Resul
     let mut arm = ArmModel::nominal(robot);
     fill_geometry(source, &mut arm, &entry.parameters)?;
     fill_effects(source, &mut arm, &entry.effects)?;
-    fill_network(source, &mut arm, entry.network)?;
+    arm.learner = learner(source, entry.network, entry.curves)?;
     let noise_sigma_mm = entry.noise_sigma_mm.unwrap_or(0.0);
     if !(0.0..100.0).contains(&noise_sigma_mm) {
         let message = format!("noise of {noise_sigma_mm} mm; expected 0 to 100 mm");
@@ -342,13 +360,16 @@ fn fill_geometry(
     Ok(sigma)
 }
 
+/// Parameters with their standard uncertainty.
+type Sigmas = Vec<(ParameterId, f64)>;
+
 /// Puts the effects of a file into the model. Returns the model's index of each, and the sigmas that stand beside the
 /// values.
 fn fill_effects(
     source: &Source,
     arm: &mut ArmModel,
     entries: &[EffectEntry],
-) -> Result<(Vec<usize>, Vec<(ParameterId, f64)>), FileError> {
+) -> Result<(Vec<usize>, Sigmas), FileError> {
     let mut sigma = Vec::new();
     let mut places = Vec::with_capacity(entries.len());
     for (index, entry) in entries.iter().enumerate() {
@@ -388,12 +409,25 @@ fn fill_effects(
     Ok((places, sigma))
 }
 
-fn fill_network(source: &Source, arm: &mut ArmModel, network: Option<ResidualNetwork>) -> Result<(), FileError> {
+fn learner(
+    source: &Source,
+    network: Option<ResidualNetwork>,
+    curves: Option<JointCurves>,
+) -> Result<Option<Learner>, FileError> {
     if let Some(network) = &network {
         network.check().map_err(|error| complain(source, "network", None, "network", error.to_string()))?;
     }
-    arm.network = network;
-    Ok(())
+    if let Some(curves) = &curves {
+        curves.check().map_err(|error| complain(source, "curves", None, "curves", error.to_string()))?;
+    }
+    match (network, curves) {
+        (Some(_), Some(_)) => {
+            let message = "a model has either a `network` or `curves` on top of its effects, not both".into();
+            Err(complain(source, "curves", None, "curves", message))
+        }
+        (Some(network), None) => Ok(Some(Learner::Network(network))),
+        (None, curves) => Ok(curves.map(Learner::Curves)),
+    }
 }
 
 /// The text of a model file.
@@ -450,7 +484,14 @@ pub fn write(calibration: &Calibration) -> Result<String, serde_yaml::Error> {
         flange_t_tool: Some(PoseEntry::from_pose(&arm.flange_t_tool)),
         parameters,
         effects,
-        network: arm.network.clone(),
+        network: match &arm.learner {
+            Some(Learner::Network(network)) => Some(network.clone()),
+            _ => None,
+        },
+        curves: match &arm.learner {
+            Some(Learner::Curves(curves)) => Some(curves.clone()),
+            _ => None,
+        },
         region: calibration.region.map(|region| RegionEntry {
             min_deg: region.min_rad.map(deg_from_rad),
             max_deg: region.max_rad.map(deg_from_rad),

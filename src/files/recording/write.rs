@@ -36,6 +36,9 @@ pub fn write_predictions(predictions: &[Prediction]) -> String {
     text
 }
 
+/// What an optional column says of a record.
+type Cell = fn(&Observation) -> Option<String>;
+
 /// The text of a recording. A column is there when any record has something to say in it.
 pub fn write_observations(observations: &[Observation]) -> String {
     let any = |has: fn(&Observation) -> bool| observations.iter().any(has);
@@ -44,7 +47,7 @@ pub fn write_observations(observations: &[Observation]) -> String {
     let approaches = any(|record| record.conditions.approach.iter().any(|&sense| sense != 0.0));
     let measured = any(|record| record.measured.is_some());
     let rotations = any(|record| record.measured.is_some_and(|measured| measured.rotation.is_some()));
-    let mut optional: Vec<(&str, fn(&Observation) -> Option<String>)> = vec![
+    let mut optional: Vec<(&str, Cell)> = vec![
         ("t_s", |record| record.conditions.time_s.map(|time| decimals(time, 4))),
         ("temp_c", |record| record.conditions.temperature_c.map(|temperature| decimals(temperature, 3))),
         ("payload_kg", |record| record.conditions.payload.map(|payload| payload.mass_kg.to_string())),

@@ -6,7 +6,8 @@
 //! added, so that the output stays between the flanks; and the value has derivatives in the pose everywhere.
 //!
 //! `tau_f`, the torque that friction holds, is [`HOLDING_SHARE`] of [`Context::largest_torque_nm`]: a property of the gear, not
-//! of the pose. A robot without masses knows the approach alone.
+//! of the pose. A location may state another one ([`Location::reference`], Nm): the friction of a gear is its own, and a
+//! recording can show it. A robot without masses knows the approach alone.
 //!
 //! Signature: two levels, by the sense of approach on joints that gravity does not load, by the sign of the torque on
 //! those it does. Size: 30 to 290 urad (Nabtesco RV catalogue: 0.3 to 1 arcmin lost motion); worn gears 1 mrad.
@@ -43,7 +44,7 @@ impl Physics for Backlash {
         let (Some(joint), [gap]) = (at.joint_index(), parameters) else {
             return;
         };
-        let held_nm = HOLDING_SHARE * context.largest_torque_nm[joint];
+        let held_nm = at.reference.unwrap_or(HOLDING_SHARE * context.largest_torque_nm[joint]);
         let side = flank(context.statics.actuator_torque_nm[joint], held_nm, context.conditions.approach[joint]);
         response.turn(joint, *gap * T::constant(0.5) * side);
     }

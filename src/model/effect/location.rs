@@ -38,7 +38,8 @@ pub struct Location {
     /// True for the clocks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub clock: Option<bool>,
-    /// The value of the effect's cause (a temperature, a time) at which it is zero by definition.
+    /// The value of the effect's cause at which it is zero by definition (a temperature, a time), or at which it changes
+    /// sides (the torque that friction holds).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reference: Option<f64>,
 }

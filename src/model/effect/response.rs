@@ -45,6 +45,31 @@ impl<T: Real> Response<T> {
         }
     }
 
+    /// The largest difference between two responses, rad or m; infinite where one is no number.
+    pub fn largest_change(&self, last: &Self) -> f64 {
+        let turns = differences(&self.actuators_rad, &last.actuators_rad);
+        turns.fold(self.largest_change_of_shape(last), larger)
+    }
+
+    /// [`Response::largest_change`] of all but the actuators: of what bends and shifts the chain itself.
+    pub fn largest_change_of_shape(&self, last: &Self) -> f64 {
+        let mut largest = 0.0;
+        if self.links_move || last.links_move {
+            for (link, before) in self.links.iter().zip(&last.links) {
+                largest = differences(link, before).fold(largest, larger);
+            }
+        }
+        if self.axes_tilt || last.axes_tilt {
+            for (axis, before) in self.tilt.iter().zip(&last.tilt) {
+                largest = differences(axis.as_slice(), before.as_slice()).fold(largest, larger);
+            }
+        }
+        if self.base_moves || last.base_moves {
+            largest = differences(&self.base, &last.base).fold(largest, larger);
+        }
+        largest
+    }
+
     /// Turns an actuator further.
     pub fn turn(&mut self, joint: usize, angle_rad: T) {
         self.actuators_rad[joint] += angle_rad;
@@ -82,6 +107,15 @@ impl<T: Real> Response<T> {
     pub fn move_tool(&mut self, shift_m: Vector3<T>, turn_rad: Vector3<T>) {
         add(&mut self.tool, shift_m, turn_rad);
     }
+}
+
+fn differences<'a, T: Real>(next: &'a [T], last: &'a [T]) -> impl Iterator<Item = f64> + 'a {
+    next.iter().zip(last).map(|(a, b)| (a.value() - b.value()).abs())
+}
+
+/// The larger of the two, where `max` would take no number for no change.
+fn larger(largest: f64, difference: f64) -> f64 {
+    if difference.is_nan() { f64::INFINITY } else { largest.max(difference) }
 }
 
 fn add<T: Real>(to: &mut Displacement<T>, shift_m: Vector3<T>, turn_rad: Vector3<T>) {

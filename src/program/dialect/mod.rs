@@ -5,12 +5,14 @@ use crate::base::text::{Encoding, Source};
 use super::number::NumberRules;
 use super::target::Program;
 
+mod fanuc;
 mod hyundai;
+mod inform;
 mod krl;
 mod rapid;
 
 /// Every language that the tool reads.
-pub const DIALECTS: &[&dyn Dialect] = &[&rapid::Rapid, &hyundai::Hyundai, &krl::Krl];
+pub const DIALECTS: &[&dyn Dialect] = &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform, &krl::Krl];
 
 /// What there is to know about a language without reading a program.
 #[derive(Clone, Copy, Debug)]

@@ -20,7 +20,7 @@ pub struct Argument {
 ///
 /// A comma before `\` is allowed, as people write it.
 pub fn arguments(text: &FileText, range: Range<usize>) -> Vec<Argument> {
-    let mut found = Vec::new();
+    let mut found = Vec::with_capacity(6);
     for piece in split(text, range, |byte| matches!(byte, b',' | b'\\')) {
         if piece.is_empty() {
             continue;
@@ -54,26 +54,38 @@ pub fn named<'a>(arguments: &'a [Argument], name: &str) -> Option<&'a Range<usiz
     arguments.iter().find(|argument| argument.name.as_deref() == Some(name)).map(|argument| &argument.value)
 }
 
-fn split(text: &FileText, range: Range<usize>, is_separator: impl Fn(u8) -> bool) -> Vec<Range<usize>> {
-    let (mut depth, mut start) = (0usize, range.start);
-    let mut pieces = Vec::new();
-    for at in range.clone() {
-        match text.kind(at) {
-            Some(TokenKind::Symbol(b'(' | b'[' | b'{')) => depth += 1,
-            Some(TokenKind::Symbol(b')' | b']' | b'}')) => depth = depth.saturating_sub(1),
-            Some(TokenKind::Symbol(byte)) if depth == 0 && is_separator(byte) => {
-                pieces.push(start..at);
-                start = at + 1;
+/// Cuts a range at the separators outside of brackets.
+fn split<'t>(
+    text: &'t FileText,
+    range: Range<usize>,
+    is_separator: impl Fn(u8) -> bool + 't,
+) -> impl Iterator<Item = Range<usize>> + 't {
+    let mut start = Some(range.start);
+    std::iter::from_fn(move || {
+        let from = start?;
+        let mut depth = 0usize;
+        for at in from..range.end {
+            match text.kind(at) {
+                Some(TokenKind::Symbol(b'(' | b'[' | b'{')) => depth += 1,
+                Some(TokenKind::Symbol(b')' | b']' | b'}')) => depth = depth.saturating_sub(1),
+                Some(TokenKind::Symbol(byte)) if depth == 0 && is_separator(byte) => {
+                    start = Some(at + 1);
+                    return Some(from..at);
+                }
+                _ => {}
             }
-            _ => {}
         }
-    }
-    pieces.push(start..range.end);
-    pieces
+        start = None;
+        Some(from..range.end)
+    })
 }
 
 /// The elements of a list: the range must be `[`, elements, `]` and nothing else.
 pub fn list(text: &FileText, range: &Range<usize>) -> Option<Vec<Range<usize>>> {
+    elements(text, range).map(Iterator::collect)
+}
+
+fn elements<'t>(text: &'t FileText, range: &Range<usize>) -> Option<impl Iterator<Item = Range<usize>> + 't> {
     if !text.is_symbol(range.start, b'[') || text.after_group(range.start, range.end) != Some(range.end) {
         return None;
     }
@@ -86,11 +98,11 @@ pub fn list(text: &FileText, range: &Range<usize>) -> Option<Vec<Range<usize>>> 
 pub fn number(text: &FileText, range: &Range<usize>) -> Option<NumberField> {
     let first = text.tokens.get(range.start)?;
     match range.len() {
-        1 if first.kind == TokenKind::Number => number_at(text.source.bytes(), first.span.start),
+        1 if first.kind == TokenKind::Number => number_at(text.source.bytes(), first.span().start),
         2 if matches!(first.kind, TokenKind::Symbol(b'-' | b'+')) => {
             let second = text.tokens.get(range.start + 1)?;
-            let joined = second.kind == TokenKind::Number && second.span.start == first.span.end;
-            if joined { number_at(text.source.bytes(), first.span.start) } else { None }
+            let joined = second.kind == TokenKind::Number && second.span().start == first.span().end;
+            if joined { number_at(text.source.bytes(), first.span().start) } else { None }
         }
         _ => None,
     }
@@ -98,7 +110,10 @@ pub fn number(text: &FileText, range: &Range<usize>) -> Option<NumberField> {
 
 /// A list of exactly `N` literal numbers.
 pub fn numbers<const N: usize>(text: &FileText, range: &Range<usize>) -> Option<[NumberField; N]> {
-    let fields: Vec<_> = list(text, range)?.iter().map(|element| number(text, element)).collect::<Option<_>>()?;
+    let mut fields = Vec::with_capacity(N);
+    for element in elements(text, range)?.take(N + 1) {
+        fields.push(number(text, &element)?);
+    }
     fields.try_into().ok()
 }
 

@@ -138,7 +138,8 @@ impl Changes {
     fn passed(&mut self, job: &Job, text: &FileText, statement: &Statement, scope: Scope) {
         let Range { start, end } = statement.tokens.clone();
         let is_call = statement.kind == StatementKind::Call;
-        let mut calls = vec![Call { callee: is_call.then_some(start), searches: 0 }];
+        let may_write = is_call && !Self::only_moves(job, text, start, scope);
+        let mut calls = vec![Call { callee: may_write.then_some(start), searches: 0 }];
         for at in start + usize::from(is_call)..end {
             match text.kind(at) {
                 Some(TokenKind::Symbol(b'(' | b'[' | b'{')) => {
@@ -156,6 +157,12 @@ impl Changes {
                 _ => {}
             }
         }
+    }
+
+    /// True for a plain motion instruction: it reads its own arguments. Most statements of long programs are that.
+    fn only_moves(job: &Job, text: &FileText, callee: usize, scope: Scope) -> bool {
+        let name = text.key(callee);
+        motion_name(&name).is_some_and(|motion| !motion.search) && job.routine(&name, scope).is_none()
     }
 
     fn passed_name(&mut self, job: &Job, text: &FileText, rest: Range<usize>, scope: Scope, call: &mut Call) {
@@ -235,6 +242,6 @@ pub fn element_at(text: &FileText, at: usize, end: usize) -> Option<String> {
     let close = (at..end.min(at + 16)).find(|&index| text.is_symbol(index, b'}'))?;
     let literal =
         (at + 1..close).all(|index| matches!(text.kind(index), Some(TokenKind::Number | TokenKind::Symbol(b','))));
-    let inner: String = (at + 1..close).map(|index| text.source.text(text.tokens[index].span).into_owned()).collect();
+    let inner: String = (at + 1..close).map(|index| text.source.text(text.tokens[index].span()).into_owned()).collect();
     literal.then(|| format!("{{{inner}}}"))
 }

@@ -168,7 +168,8 @@ impl Cutter<'_, '_> {
     }
 
     fn on_new_line(&self, at: usize) -> bool {
-        let between = crate::base::text::Span::new(self.text.tokens[at - 1].span.end, self.text.tokens[at].span.start);
+        let between =
+            crate::base::text::Span::new(self.text.tokens[at - 1].span().end, self.text.tokens[at].span().start);
         self.text.source.slice(between).iter().any(|byte| matches!(byte, b'\n' | b'\r'))
     }
 

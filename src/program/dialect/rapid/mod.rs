@@ -68,7 +68,11 @@ impl Dialect for Rapid {
         let mut positions = Positions::new(&job, &changes);
         moves::read_moves(&job, &keys, &flow, &mut positions);
         let note = saved_back(&job, &positions);
+        let declarations = positions.declarations();
         program.targets = in_file_order(positions.targets);
+        let declared = |target: &Target| declarations.get(&(target.file, target.span)).cloned();
+        let by_index = program.targets.iter().enumerate();
+        program.declarations = by_index.filter_map(|(index, target)| Some((index, declared(target)?))).collect();
         program.diagnostics.extend(check::check_numbers(&program.targets));
         program.diagnostics.extend(note);
         program

@@ -4,10 +4,12 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::rc::Rc;
 
+use crate::base::text::Span;
 use crate::geometry::orientation::OrientationConvention;
 use crate::program::number::NumberField;
 use crate::program::target::{
-    CartesianNumbers, Configuration, DisplacementKind, ExternalAxis, JointNumbers, Target, TargetValue, Units,
+    CartesianNumbers, Configuration, Declaration, DisplacementKind, ExternalAxis, JointNumbers, Target, TargetValue,
+    Units,
 };
 
 use super::argument::{list, numbers, values};
@@ -28,6 +30,8 @@ pub struct Positions<'j, 'a> {
     by_symbol: HashMap<usize, Rc<[usize]>>,
     /// The target of an array element, by symbol and index as written (`{2}`).
     by_element: HashMap<(usize, String), usize>,
+    /// Where moves name single positions: symbol, file and place.
+    mentions: Vec<(usize, usize, Span)>,
     /// Names that are declared in no file of the job.
     by_name: HashMap<(usize, String), usize>,
     /// How many more targets a variable index may stand for: keeps huge arrays from being listed for each move.
@@ -55,6 +59,7 @@ impl<'j, 'a> Positions<'j, 'a> {
             targets: Vec::new(),
             by_symbol: HashMap::new(),
             by_element: HashMap::new(),
+            mentions: Vec::new(),
             by_name: HashMap::new(),
             budget: MAX_INDEXED_USES,
             overrun: HashSet::new(),
@@ -64,6 +69,29 @@ impl<'j, 'a> Positions<'j, 'a> {
     /// The targets of a declared name, if a move goes there.
     pub fn of_symbol(&self, symbol: usize) -> Option<&[usize]> {
         self.by_symbol.get(&symbol).map(AsRef::as_ref)
+    }
+
+    /// The declarations of single positions that moves name, by file and place of the value.
+    pub fn declarations(&self) -> HashMap<(usize, Span), Declaration> {
+        let mut found: HashMap<(usize, Span), Declaration> = HashMap::new();
+        for &(symbol, file, place) in &self.mentions {
+            let targets = self.of_symbol(symbol).unwrap_or_default();
+            let Some(target) = targets.first().map(|&target| &self.targets[target]) else { continue };
+            let Some(declared) = self.declaration(&self.job.symbols[symbol]) else { continue };
+            let entry = found.entry((target.file, target.span)).or_insert(declared);
+            entry.mentions.push((file, place));
+        }
+        found
+    }
+
+    fn declaration(&self, symbol: &Symbol) -> Option<Declaration> {
+        let text = &self.job.files[symbol.scope.file];
+        let key = symbol.display.to_lowercase();
+        let name = symbol.tokens.clone().find(|&at| text.kind(at) == Some(TokenKind::Name) && text.key(at) == key)?;
+        // The semicolon is the token behind the statement's own.
+        let end = text.is_symbol(symbol.tokens.end, b';').then(|| text.tokens[symbol.tokens.end].span().end)?;
+        let statement = Span::new(text.span(&symbol.tokens).start, end);
+        Some(Declaration { statement, name: text.tokens[name].span(), mentions: Vec::new() })
     }
 
     /// True for an argument that can only be a position.
@@ -129,6 +157,9 @@ impl<'j, 'a> Positions<'j, 'a> {
             return vec![self.unwritten(text, range, scope, reason)];
         }
         let all = self.elements(index);
+        if !indexed && symbol.dimensions == 0 {
+            self.mentions.push((index, scope.file, text.span(range)));
+        }
         if !indexed {
             return all.to_vec();
         }

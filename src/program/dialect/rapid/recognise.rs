@@ -62,7 +62,7 @@ struct Text<'a> {
 impl Text<'_> {
     fn is(&self, at: usize, words: &[&str]) -> bool {
         self.tokens.get(at).is_some_and(|token| {
-            let bytes = self.source.slice(token.span);
+            let bytes = self.source.slice(token.span());
             token.kind == TokenKind::Name && words.iter().any(|word| bytes.eq_ignore_ascii_case(word.as_bytes()))
         })
     }
@@ -74,7 +74,7 @@ impl Text<'_> {
     /// True at the start, behind `;`, and at the first token of a line.
     fn begins_statement(&self, at: usize) -> bool {
         let Some(before) = at.checked_sub(1).and_then(|before| self.tokens.get(before)) else { return true };
-        let between = before.span.end..self.tokens[at].span.start;
+        let between = before.span().end..self.tokens[at].span().start;
         before.kind == TokenKind::Symbol(b';')
             || self.source.bytes()[between].iter().any(|byte| matches!(byte, b'\n' | b'\r'))
     }

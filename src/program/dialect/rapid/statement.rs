@@ -106,7 +106,7 @@ impl<'a> FileText<'a> {
     /// The bytes of a name, else nothing.
     pub fn word(&self, index: usize) -> &'a [u8] {
         match self.tokens.get(index) {
-            Some(Token { kind: TokenKind::Name, span }) => self.source.slice(*span),
+            Some(token) if token.kind == TokenKind::Name => self.source.slice(token.span()),
             _ => b"",
         }
     }
@@ -114,7 +114,8 @@ impl<'a> FileText<'a> {
     /// True when the token is one of these names, in any case.
     pub fn is_word(&self, index: usize, words: &[&str]) -> bool {
         let word = self.word(index);
-        words.iter().any(|candidate| word.eq_ignore_ascii_case(candidate.as_bytes()))
+        // Most tokens are no names.
+        !word.is_empty() && words.iter().any(|candidate| word.eq_ignore_ascii_case(candidate.as_bytes()))
     }
 
     /// The name at a token as symbols are filed: lower case.
@@ -125,7 +126,7 @@ impl<'a> FileText<'a> {
     /// The name at a token as it is written.
     pub fn display(&self, index: usize) -> Cow<'a, str> {
         match self.tokens.get(index) {
-            Some(Token { kind: TokenKind::Name, span }) => self.source.text(*span),
+            Some(token) if token.kind == TokenKind::Name => self.source.text(token.span()),
             _ => Cow::Borrowed(""),
         }
     }
@@ -133,8 +134,8 @@ impl<'a> FileText<'a> {
     /// The place of some tokens.
     pub fn span(&self, range: &Range<usize>) -> Span {
         match (self.tokens.get(range.start), range.end.checked_sub(1).and_then(|last| self.tokens.get(last))) {
-            (Some(first), Some(last)) if !range.is_empty() => first.span.to(last.span),
-            (Some(first), _) => Span::new(first.span.start, first.span.start),
+            (Some(first), Some(last)) if !range.is_empty() => first.span().to(last.span()),
+            (Some(first), _) => Span::new(first.span().start, first.span().start),
             _ => Span::new(self.source.bytes().len(), self.source.bytes().len()),
         }
     }

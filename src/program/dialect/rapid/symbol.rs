@@ -95,26 +95,26 @@ pub enum Lookup {
 
 #[derive(Default)]
 struct Names {
-    in_routine: HashMap<(usize, String), usize>,
-    in_module: HashMap<(usize, String), usize>,
+    in_routine: HashMap<usize, HashMap<String, usize>>,
+    in_module: HashMap<usize, HashMap<String, usize>>,
     anywhere: HashMap<String, Vec<usize>>,
 }
 
 impl Names {
     fn add(&mut self, key: String, index: usize, scope: Scope, local: bool) {
         if let Some(routine) = scope.routine {
-            self.in_routine.entry((routine, key)).or_insert(index);
+            self.in_routine.entry(routine).or_default().entry(key).or_insert(index);
             return;
         }
-        self.in_module.entry((scope.module, key.clone())).or_insert(index);
+        self.in_module.entry(scope.module).or_default().entry(key.clone()).or_insert(index);
         if !local {
             self.anywhere.entry(key).or_default().push(index);
         }
     }
 
     fn look_up(&self, key: &str, scope: Scope) -> Lookup {
-        let in_routine = scope.routine.and_then(|routine| self.in_routine.get(&(routine, key.to_owned())));
-        if let Some(&index) = in_routine.or_else(|| self.in_module.get(&(scope.module, key.to_owned()))) {
+        let in_routine = scope.routine.and_then(|routine| self.in_routine.get(&routine)?.get(key));
+        if let Some(&index) = in_routine.or_else(|| self.in_module.get(&scope.module)?.get(key)) {
             return Lookup::Found(index);
         }
         match self.anywhere.get(key).map(Vec::as_slice) {

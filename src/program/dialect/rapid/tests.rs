@@ -136,7 +136,7 @@ fn what_changes_at_run_time_is_computed_and_says_where() {
         let program = read(&proc(&format!("MoveL p2,v1,z1,t;\n{statement}")));
         assert_eq!(target(&program, "p2").computed, None, "{statement}");
         let notes: Vec<_> = program.diagnostics.iter().map(|finding| (finding.code, finding.severity)).collect();
-        assert_eq!(notes, [("pers-saved-back", Severity::Note)]);
+        assert_eq!(notes, [("travel-axis", Severity::Note), ("pers-saved-back", Severity::Note)]);
     }
     let searched = read(&proc("SearchL di1,found,p1,v1,t\\WObj:=w;"));
     assert_eq!((target(&searched, "p1").uses.len(), &target(&searched, "p1").computed), (1, &None));

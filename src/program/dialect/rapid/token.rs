@@ -18,18 +18,26 @@ pub enum TokenKind {
     Symbol(u8),
 }
 
-/// A piece of the text.
+/// A piece of the text. Large programs have tens of millions of them: places are kept in four bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Token {
     /// What it is.
     pub kind: TokenKind,
+    start: u32,
+    end: u32,
+}
+
+impl Token {
     /// Where it stands.
-    pub span: Span,
+    pub fn span(&self) -> Span {
+        Span::new(self.start as usize, self.end as usize)
+    }
 }
 
 /// The tokens of a file, at most `limit` of them.
 pub fn tokens(source: &Source, limit: usize) -> Vec<Token> {
-    let bytes = source.bytes();
+    // No controller holds a program of four gigabytes; of a file that size the rest is not read.
+    let bytes = &source.bytes()[..source.bytes().len().min(u32::MAX as usize)];
     let mut at = header_end(bytes);
     let mut found = Vec::new();
     while at < bytes.len() && found.len() < limit {
@@ -43,7 +51,7 @@ pub fn tokens(source: &Source, limit: usize) -> Vec<Token> {
             continue;
         }
         let (kind, end) = token_at(bytes, at);
-        found.push(Token { kind, span: Span::new(at, end) });
+        found.push(Token { kind, start: at as u32, end: end as u32 });
         at = end;
     }
     found
@@ -62,15 +70,25 @@ fn token_at(bytes: &[u8], at: usize) -> (TokenKind, usize) {
         return (TokenKind::Name, name_end(bytes, at));
     }
     if byte.is_ascii_digit() || (byte == b'.' && next.is_some_and(|next| next.is_ascii_digit())) {
-        return match number_at(bytes, at) {
-            Some(field) if !bytes.get(field.span.end).is_some_and(|&byte| is_name_byte(byte)) => {
-                (TokenKind::Number, field.span.end)
-            }
-            Some(field) => (TokenKind::Symbol(b'#'), name_end(bytes, field.span.end)),
+        return match number_end(bytes, at) {
+            Some(end) if !bytes.get(end).is_some_and(|&byte| is_name_byte(byte)) => (TokenKind::Number, end),
+            Some(end) => (TokenKind::Symbol(b'#'), name_end(bytes, end)),
             None => (TokenKind::Symbol(b'#'), unreadable_number_end(bytes, at)),
         };
     }
     (TokenKind::Symbol(byte), at + 1)
+}
+
+/// The end of a number, `None` where it is not finite. A short one without exponent always is: its value is not needed.
+fn number_end(bytes: &[u8], at: usize) -> Option<usize> {
+    const SHORT: usize = 300;
+    let plain = bytes[at..].iter().take_while(|&&byte| byte.is_ascii_digit() || byte == b'.').count();
+    let points = bytes[at..at + plain].iter().filter(|&&byte| byte == b'.').count();
+    let has_exponent = matches!(bytes.get(at + plain), Some(b'e' | b'E'));
+    if points <= 1 && plain < SHORT && !has_exponent {
+        return Some(at + plain);
+    }
+    number_at(bytes, at).map(|field| field.span.end)
 }
 
 /// Bytes above 0x7f are letters: Latin-1 allows them in names of some controllers, and UTF-8 spells letters with them.
@@ -124,7 +142,7 @@ mod tests {
 
     fn texts(text: &str) -> Vec<String> {
         let source = Source::new("t", text);
-        tokens(&source, usize::MAX).iter().map(|token| source.text(token.span).into_owned()).collect()
+        tokens(&source, usize::MAX).iter().map(|token| source.text(token.span()).into_owned()).collect()
     }
 
     #[test]

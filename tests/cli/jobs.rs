@@ -1,7 +1,5 @@
 //! Jobs of several files on the command line.
 
-#![allow(clippy::expect_used, reason = "a test may stop where its own preparation fails")]
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

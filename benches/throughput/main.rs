@@ -1,0 +1,16 @@
+//! What a pose, a target and a file cost. `docs/performance.md` has the figures and what they were taken on.
+//!
+//!     cargo bench --bench throughput              # everything
+//!     cargo bench --bench throughput kinematics   # forward and inverse, with rs-opw-kinematics beside it
+//!     cargo bench --bench throughput correction   # single poses of the real arm, whole files, stages
+//!
+//! Everything runs on one core: the tool uses more only for more files.
+
+mod arms;
+mod correction;
+mod kinematics;
+mod programs;
+
+fn main() {
+    divan::main();
+}

@@ -1,0 +1,314 @@
+//! The whole way from a recording to a diagnosis.
+
+use nalgebra::DVector;
+use serde::Serialize;
+
+use crate::identify::calibrate::Refusal;
+use crate::identify::estimate::Estimate;
+use crate::identify::identify::identify;
+use crate::identify::problem::NoPose;
+use crate::identify::report::Figures;
+use crate::identify::robust;
+use crate::identify::structure::composition;
+use crate::measure::recording::{Kind, Recording};
+use crate::model::arm::{ArmModel, EffectInstance};
+use crate::model::effect::Location;
+
+use super::baseline::baseline;
+use super::evidence::{self, DECIDES};
+use super::fitted::Ground;
+use super::free::{FreeFunction, Seat};
+use super::hold_out::rms_mm;
+use super::projection::Projection;
+use super::rank::{Suspect, rank, searched, suspects};
+use super::regressors::Regressors;
+use super::search::{Found, search};
+
+/// The answer in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// What is left is noise.
+    NothingMissing,
+    /// What was missing has names, and with them only noise is left.
+    Explained,
+    /// Something was found, and something without a name is left.
+    PartlyExplained,
+    /// There is structure, and no name fits it.
+    Unexplained,
+}
+
+/// Distances before or after, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// Of the fit.
+    pub fitted: Figures,
+    /// Of records held out, root mean square, mm.
+    pub held_out_rms_mm: f64,
+}
+
+/// A fitted number of a finding.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Value {
+    /// Its name.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// The number.
+    pub value: f64,
+    /// Its standard uncertainty.
+    pub sigma: f64,
+}
+
+/// A cause that another recording would have to tell from a finding.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rival {
+    /// The effect's id.
+    pub effect: &'static str,
+    /// Its place.
+    pub location: Location,
+}
+
+/// A missing cause with a name.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The effect at its place.
+    pub instance: EffectInstance,
+    /// Its numbers.
+    pub values: Vec<Value>,
+    /// Held-out root mean square without and with it, all others modelled, mm.
+    pub held_out_rms_mm: [f64; 2],
+    /// Probability of as large a gain by chance, everything that was looked at counted.
+    pub p_value: f64,
+    /// Part of the error before, in squares, that it explains.
+    pub share: f64,
+    /// Those that this recording cannot tell from it.
+    pub alternatives: Vec<Rival>,
+}
+
+/// Structure without a name.
+#[derive(Clone, Debug)]
+pub struct Unexplained {
+    /// Its size, root mean square distance, mm.
+    pub rms_mm: f64,
+    /// Probability of as much by chance.
+    pub p_value: f64,
+    /// Where it sits and what it depends on, the strongest first.
+    pub functions: Vec<FreeFunction>,
+}
+
+/// What a recording says about a model.
+pub struct Diagnosis<'a> {
+    /// Standing or moving.
+    pub kind: Kind,
+    /// Records in the recording.
+    pub records: usize,
+    /// Standard deviation of the noise per axis, m.
+    pub noise_sigma_m: f64,
+    /// What stays beside it, m.
+    pub unexplained_sigma_m: f64,
+    /// The model as given, refitted.
+    pub before: Errors,
+    /// With the findings.
+    pub after: Errors,
+    /// In a word.
+    pub verdict: Verdict,
+    /// In order of what they explain.
+    pub findings: Vec<Finding>,
+    /// What has structure and no name.
+    pub unexplained: Option<Unexplained>,
+    /// Names of the gross errors.
+    pub outliers: Vec<String>,
+    /// The fit with the findings.
+    pub estimate: Estimate<'a>,
+}
+
+/// Rounds of search and sorting out gross errors.
+const ROUNDS: usize = 2;
+/// Rivals that are told of one finding.
+const MOST_RIVALS: usize = 4;
+
+/// Says what physics a model leaves out.
+///
+/// # Errors
+/// [`Refusal`], as for a calibration: the recording is not of this robot, or too small.
+pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) -> Result<Diagnosis<'a>, Refusal> {
+    let kind = match recordings.iter().all(|recording| recording.kind == Kind::Continuous) {
+        true => Kind::Continuous,
+        false => Kind::Static,
+    };
+    let base = baseline(given, recordings, seed)?;
+    let mut kept = base.identified.kept.clone();
+    let mut round = 0;
+    let (ground, found) = loop {
+        round += 1;
+        // The search starts from the sigmas as stated: each fit finds its own noise level.
+        let ground = Ground {
+            problem: base.problem.subset(&kept),
+            stated: base.stated,
+            state: base.estimate().fit.state.clone(),
+            unknowns: base.unknowns.clone(),
+        };
+        let found = search(&ground, kind, seed)?;
+        let fit = &found.fitted.estimate.fit;
+        let again = identify(&base.problem, fit.state.clone(), &fit.unknowns, base.stated)?;
+        if again.kept == kept || round == ROUNDS {
+            break (ground, found);
+        }
+        kept = again.kept;
+    };
+    let outliers = (0..base.problem.records.len())
+        .filter(|index| !kept.contains(index))
+        .map(|index| base.problem.records[index].observation.id.clone())
+        .chain(base.left_out.iter().map(|left| left.id.clone()))
+        .collect();
+    let before_fit = ground.fit(&[])?;
+    let before_squares = before_fit.held_out_m2(&found.blocks, None, &[]);
+    let before = errors(&before_fit.estimate, rms_mm(&before_squares));
+    let after_squares = found.fitted.held_out_m2(&found.blocks, None, &[]);
+    let after = errors(&found.fitted.estimate, rms_mm(&after_squares));
+    let mut findings = findings(&found, &before_fit.estimate, after.held_out_rms_mm)?;
+    findings.sort_by(|a, b| b.share.total_cmp(&a.share));
+    let unexplained = unexplained(&found)?;
+    let verdict = match (findings.is_empty(), &unexplained) {
+        (true, None) => Verdict::NothingMissing,
+        (false, None) => Verdict::Explained,
+        (false, Some(_)) => Verdict::PartlyExplained,
+        (true, Some(_)) => Verdict::Unexplained,
+    };
+    let left = composition(&found.fitted.estimate)?;
+    Ok(Diagnosis {
+        kind,
+        records: recordings.iter().map(|recording| recording.observations.len()).sum(),
+        noise_sigma_m: left.noise_sigma_m,
+        unexplained_sigma_m: left.unexplained_sigma_m,
+        before,
+        after,
+        verdict,
+        findings,
+        unexplained,
+        outliers,
+        estimate: found.fitted.estimate,
+    })
+}
+
+fn errors(estimate: &Estimate<'_>, held_out_rms_mm: f64) -> Errors {
+    let lengths = robust::lengths_of(&estimate.problem, &estimate.fit.residuals);
+    let nothing = Figures { records: 0, mean_mm: 0.0, rms_mm: 0.0, std_mm: 0.0, max_mm: 0.0, p95_mm: 0.0 };
+    Errors { fitted: Figures::of(&lengths).unwrap_or(nothing), held_out_rms_mm }
+}
+
+fn findings(found: &Found<'_>, before: &Estimate<'_>, held_out_rms_mm: f64) -> Result<Vec<Finding>, NoPose> {
+    let fitted = &found.fitted;
+    let estimate = &fitted.estimate;
+    let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
+    let standing = if fitted.terms.is_empty() { Vec::new() } else { suspects(&regressors)? };
+    let whitening = estimate.problem.whitening();
+    let total = before.fit.residuals.component_mul(&whitening).norm_squared();
+    (0..fitted.terms.len())
+        .map(|term| {
+            let candidate = &fitted.terms[term];
+            let (evidence, projection) = found.evidence_of(term)?;
+            let gain = projection.gain(&fitted.columns_of(term));
+            let (values, sigmas) = fitted.values_of(term);
+            let squares = fitted.held_out_m2(&found.blocks, Some(term), &[]);
+            let freedom = (projection.rows as f64 - projection.free as f64).max(1.0);
+            let looked_at = evidence::looked_at(candidate.places);
+            Ok(Finding {
+                instance: candidate.instances[0],
+                values: named_values(&candidate.instances, &values, &sigmas),
+                held_out_rms_mm: [rms_mm(&squares), held_out_rms_mm],
+                p_value: evidence::p_value(gain.explained, gain.rank, projection.cost, freedom, looked_at),
+                share: gain.explained / total.max(f64::MIN_POSITIVE),
+                alternatives: rivals(found, term, evidence, &projection, &standing, &regressors),
+            })
+        })
+        .collect()
+}
+
+fn named_values(instances: &[EffectInstance], values: &DVector<f64>, sigmas: &DVector<f64>) -> Vec<Value> {
+    instances
+        .iter()
+        .flat_map(|instance| instance.effect.meta().parameters)
+        .zip(values.iter().zip(sigmas.iter()))
+        .map(|(meta, (&value, &sigma))| Value { name: meta.name, unit: meta.unit, value, sigma })
+        .collect()
+}
+
+/// Named causes that would explain the records about as well in the place of a finding.
+fn rivals(
+    found: &Found<'_>,
+    term: usize,
+    evidence: f64,
+    projection: &Projection,
+    standing: &[Suspect],
+    regressors: &Regressors<'_, '_>,
+) -> Vec<Rival> {
+    let mut all = standing.to_vec();
+    all.extend(searched(regressors, projection));
+    rank(&all, projection)
+        .iter()
+        .take_while(|ranked| ranked.evidence < (evidence + DECIDES).min(0.0))
+        .filter_map(|ranked| ranked.suspect.candidate())
+        .filter(|candidate| !found.fitted.terms.iter().any(|known| known.same_as(candidate)))
+        .filter(|candidate| candidate.id() != found.fitted.terms[term].id() || candidate.chosen_constants == 0)
+        .take(MOST_RIVALS)
+        .map(|candidate| Rival { effect: candidate.id(), location: *candidate.location() })
+        .collect()
+}
+
+fn unexplained(found: &Found<'_>) -> Result<Option<Unexplained>, NoPose> {
+    if found.free.is_empty() {
+        return Ok(None);
+    }
+    let estimate = &found.fitted.estimate;
+    let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
+    let projection = found.fitted.projection(None);
+    let mut cost = projection.cost;
+    let mut left = projection.clone();
+    let mut parts: Vec<(f64, f64, FreeFunction)> = Vec::new();
+    for function in &found.free {
+        let columns = function.columns(&regressors);
+        let gain = left.gain(&columns);
+        let freedom = left.rows as f64 - left.free as f64;
+        let looked_at = evidence::looked_at(super::free::free_functions(&regressors).len() as f64);
+        let p_value = evidence::p_value(gain.explained, gain.rank, left.cost, freedom, looked_at);
+        parts.push((gain.explained, p_value, function.clone()));
+        left = left.with(&columns);
+    }
+    cost -= left.cost;
+    parts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let sigma_m = estimate.spread.sigma_m;
+    let records = estimate.problem.records.len() as f64;
+    Ok(Some(Unexplained {
+        rms_mm: 1e3 * sigma_m * (cost.max(0.0) / records).sqrt(),
+        p_value: parts.iter().map(|part| part.1).fold(1.0, f64::min),
+        functions: parts.into_iter().map(|(_, _, function)| function).collect(),
+    }))
+}
+
+impl Unexplained {
+    /// What it depends on, each variable once.
+    pub fn depends_on(&self) -> Vec<String> {
+        let mut words: Vec<String> = Vec::new();
+        for variable in self.functions.iter().flat_map(|function| &function.variables) {
+            let word = variable.word();
+            if !words.contains(&word) {
+                words.push(word);
+            }
+        }
+        words
+    }
+
+    /// Where the strongest part sits.
+    pub fn location(&self) -> Location {
+        use crate::model::effect::MovingFrame;
+        let frame = |frame| Location { frame: Some(frame), ..Location::default() };
+        match self.functions.first().map(|function| function.seat) {
+            Some(Seat::Joint(joint)) => Location::at_joint(joint),
+            Some(Seat::Base) => frame(MovingFrame::Base),
+            Some(Seat::Tool) => frame(MovingFrame::Tool),
+            None => Location::default(),
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! How much a gain in fit is worth, given how much was looked at.
+
+use nalgebra::DVector;
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+use crate::model::arm::EffectInstance;
+use crate::model::effect::EFFECTS;
+
+use super::candidate::Candidate;
+use super::projection::Gain;
+
+/// A gain below this part of the remaining sum of squares is no finding, however certain: the error would fall by half
+/// a per cent.
+pub const SMALLEST_PART: f64 = 0.01;
+/// Differences of [`penalised`] below this do not decide between rivals (Kass and Raftery 1995: 6 is strong).
+pub const DECIDES: f64 = 6.0;
+
+/// Twice the logarithm of the evidence against a cause, after Schwarz (1978), plus the price of having looked at
+/// `looked_at` causes: negative values speak for it.
+///
+/// `N ln(1 - gain/cost) + k ln N + 2 ln M`, N coordinates, k numbers fitted.
+pub fn penalised(explained: f64, cost: f64, rows: usize, fitted: usize, looked_at: f64) -> f64 {
+    let rows = rows as f64;
+    let left = (1.0 - explained / cost).max(1e-12);
+    rows * left.ln() + fitted as f64 * rows.ln() + 2.0 * looked_at.ln()
+}
+
+/// Every kind of cause is as likely as any other, and so is every place within a kind.
+pub fn looked_at(places: f64) -> f64 {
+    (EFFECTS.len() as f64 + 1.0) * places.max(1.0)
+}
+
+/// Evidence for a candidate from its score step.
+pub fn of_candidate(candidate: &Candidate, gain: &Gain, cost: f64, rows: usize) -> f64 {
+    let fitted = gain.rank + candidate.chosen_constants;
+    penalised(gain.explained, cost, rows, fitted, looked_at(candidate.places))
+}
+
+/// Probability of a gain at least as large by chance, all that was looked at counted (Bonferroni).
+pub fn p_value(explained: f64, rank: usize, cost: f64, freedom: f64, looked_at: f64) -> f64 {
+    if rank == 0 || explained <= 0.0 {
+        return 1.0;
+    }
+    let left = (cost - explained).max(f64::MIN_POSITIVE);
+    let below = freedom - rank as f64;
+    let ratio = (explained / rank as f64) / (left / below.max(1.0));
+    let tail = FisherSnedecor::new(rank as f64, below.max(1.0)).map_or(1.0, |fisher| fisher.sf(ratio));
+    (tail * looked_at).clamp(0.0, 1.0)
+}
+
+/// Standard uncertainties by which a value may lie beyond what physics makes believable.
+const BEYOND_SIGMAS: f64 = 2.5;
+
+/// True when every number is one that physics makes believable, within its uncertainty.
+///
+/// A number that a recording hardly shows may stand anywhere within its uncertainty, so `sigmas` decides there.
+pub fn is_plausible(instances: &[EffectInstance], values: &DVector<f64>, sigmas: &DVector<f64>) -> bool {
+    let metas = instances.iter().flat_map(|instance| instance.effect.meta().parameters);
+    metas.zip(values.iter().zip(sigmas.iter())).all(|(meta, (value, sigma))| {
+        let (low, high) = meta.plausible;
+        let slack = BEYOND_SIGMAS * sigma;
+        value.is_finite() && *value >= low - slack && *value <= high + slack
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_f_distribution_of_tables() {
+        // F(0.95; 1, 10) = 4.9646: a gain of 4.9646 parts in 14.9646 with 11 degrees of freedom before.
+        let p = p_value(4.9646, 1, 14.9646, 11.0, 1.0);
+        assert!((p - 0.05).abs() < 1e-4, "{p}");
+        assert!((p_value(4.9646, 1, 14.9646, 11.0, 3.0) - 0.15).abs() < 3e-4);
+    }
+
+    #[test]
+    fn noise_does_not_pay_for_a_number() {
+        // One number explains of noise its share, 1/N of the whole.
+        assert!(penalised(1.0, 720.0, 720, 1, 1.0) > 5.0);
+        assert!(penalised(40.0, 720.0, 720, 1, 20.0) < 0.0);
+    }
+}

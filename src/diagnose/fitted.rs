@@ -1,0 +1,153 @@
+//! A hypothesis fitted: the model as given plus named causes, all refitted together.
+
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::identify::estimate::{Estimate, estimate};
+use crate::identify::prior::unknown_of;
+use crate::identify::problem::{NoPose, Problem};
+use crate::identify::solve::{Fit, solve};
+use crate::identify::state::State;
+use crate::identify::unknown::{Prior, Unknown, UnknownId};
+use crate::model::arm::EffectInstance;
+use crate::model::parameters::ParameterId;
+
+use super::candidate::Candidate;
+use super::hold_out::{Blocks, Regression, held_out_squares_m2};
+use super::projection::Projection;
+use super::regressors::extend;
+
+/// What does not change during a search.
+#[derive(Clone, Debug)]
+pub struct Ground<'a> {
+    /// The records, gross errors left out.
+    pub problem: Problem<'a>,
+    /// True when they state their sigma.
+    pub stated: bool,
+    /// The refitted model as given.
+    pub state: State,
+    /// What is free in it.
+    pub unknowns: Vec<Unknown>,
+}
+
+/// Named causes fitted together with everything that was free before.
+#[derive(Clone, Debug)]
+pub struct Fitted<'a> {
+    /// The fit.
+    pub estimate: Estimate<'a>,
+    /// The named causes.
+    pub terms: Vec<Candidate>,
+    /// Columns of each in the fit's unknowns.
+    pub spans: Vec<Range<usize>>,
+}
+
+impl<'a> Ground<'a> {
+    /// Fits these causes, the noise level with them.
+    ///
+    /// # Errors
+    /// [`NoPose`] when the model cannot place a record.
+    pub fn fit(&self, terms: &[Candidate]) -> Result<Fitted<'a>, NoPose> {
+        let (state, unknowns, spans) = self.with(terms);
+        let estimate = estimate(self.problem.clone(), state, &unknowns, self.stated)?;
+        Ok(Fitted { estimate, terms: terms.to_vec(), spans })
+    }
+
+    /// Fits these causes with the sigmas of another fit, to compare the two.
+    ///
+    /// # Errors
+    /// [`NoPose`] as above.
+    pub fn fit_like(&self, like: &Fitted<'a>, terms: &[Candidate]) -> Result<(Fit, Vec<Range<usize>>), NoPose> {
+        let (state, unknowns, spans) = self.with(terms);
+        Ok((solve(&like.estimate.problem, state, &unknowns, &[])?, spans))
+    }
+
+    fn with(&self, terms: &[Candidate]) -> (State, Vec<Unknown>, Vec<Range<usize>>) {
+        let mut state = self.state.clone();
+        let mut unknowns = self.unknowns.clone();
+        let mut spans = Vec::new();
+        let torque = self.problem.largest_torque_nm(&state);
+        for term in terms {
+            let ids = extend(&mut state.model, &term.instances);
+            spans.push(unknowns.len()..unknowns.len() + ids.len());
+            unknowns.extend(ids.into_iter().map(|id| {
+                let usual = unknown_of(id, &state.model, &torque);
+                Unknown { id: UnknownId::Model(id), prior: wide(usual.prior, id, &state) }
+            }));
+        }
+        (state, unknowns, spans)
+    }
+}
+
+/// A diagnosis must not hold a missing cause to its usual size: half of all that is believable.
+fn wide(usual: Prior, id: ParameterId, state: &State) -> Prior {
+    let ParameterId::Effect(effect, parameter) = id else { return usual };
+    let instance: Option<&EffectInstance> = state.model.effects.get(effect);
+    let believable = instance.and_then(|instance| instance.effect.meta().parameters.get(parameter));
+    let half = believable.map_or(0.0, |meta| 0.5 * meta.plausible.0.abs().max(meta.plausible.1.abs()));
+    Prior { sigma: usual.sigma.max(half), ..usual }
+}
+
+impl Fitted<'_> {
+    /// Whitened residuals.
+    pub fn residuals(&self) -> DVector<f64> {
+        self.estimate.fit.residuals.component_mul(&self.estimate.problem.whitening())
+    }
+
+    /// The fit's columns without those of a term, and the residuals that taking it out leaves (to first order).
+    fn without(&self, term: Option<usize>) -> (DMatrix<f64>, Vec<f64>, Vec<f64>, DVector<f64>) {
+        let fit = &self.estimate.fit;
+        let span = term.and_then(|term| self.spans.get(term).cloned()).unwrap_or(0..0);
+        let kept: Vec<usize> = (0..fit.unknowns.len()).filter(|index| !span.contains(index)).collect();
+        let mut residuals = self.residuals();
+        for index in span {
+            let value = fit.state.get(fit.unknowns[index].id).unwrap_or(0.0);
+            residuals.axpy(-value, &fit.whitened_jacobian.column(index), 1.0);
+        }
+        let sigmas = kept.iter().map(|&index| fit.unknowns[index].prior.sigma).collect();
+        let deviations = kept
+            .iter()
+            .map(|&index| {
+                let unknown = &fit.unknowns[index];
+                (fit.state.get(unknown.id).unwrap_or(0.0) - unknown.prior.mean) / unknown.prior.sigma
+            })
+            .collect();
+        (fit.whitened_jacobian.select_columns(&kept), sigmas, deviations, residuals)
+    }
+
+    /// What is left when everything free is projected out: all, or all but a term.
+    pub fn projection(&self, without: Option<usize>) -> Projection {
+        let (columns, sigmas, deviations, residuals) = self.without(without);
+        Projection::new(&columns, &sigmas, &residuals, &deviations)
+    }
+
+    /// The columns of a term.
+    pub fn columns_of(&self, term: usize) -> DMatrix<f64> {
+        let span = self.spans[term].clone();
+        self.estimate.fit.whitened_jacobian.columns(span.start, span.len()).into_owned()
+    }
+
+    /// The fitted numbers of a term with their standard uncertainties.
+    pub fn values_of(&self, term: usize) -> (DVector<f64>, DVector<f64>) {
+        let fit = &self.estimate.fit;
+        let span = self.spans[term].clone();
+        let values = span.clone().map(|index| fit.state.get(fit.unknowns[index].id).unwrap_or(0.0));
+        let sigmas = span.clone().map(|index| fit.covariance_root.row(index).norm());
+        (DVector::from_iterator(span.len(), values), DVector::from_iterator(span.len(), sigmas))
+    }
+
+    /// Held-out squares, m^2, with further columns, or without a term.
+    pub fn held_out_m2(&self, blocks: &Blocks, without: Option<usize>, further: &[&DMatrix<f64>]) -> Vec<f64> {
+        let (columns, sigmas, deviations, residuals) = self.without(without);
+        let extra: usize = further.iter().map(|columns| columns.ncols()).sum();
+        let mut all = columns.clone().resize_horizontally(columns.ncols() + extra, 0.0);
+        let mut next = columns.ncols();
+        for block in further {
+            all.columns_mut(next, block.ncols()).copy_from(block);
+            next += block.ncols();
+        }
+        let regression =
+            Regression { columns: &all, prior_sigmas: &sigmas, deviations: &deviations, residuals: &residuals };
+        held_out_squares_m2(&self.estimate.problem, blocks, &regression)
+    }
+}

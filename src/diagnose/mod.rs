@@ -1,0 +1,16 @@
+//! Floor 6: what the model leaves out, found in a recording and named. See docs/diagnosis.md.
+
+pub mod baseline;
+pub mod candidate;
+pub mod diagnosis;
+pub mod evidence;
+pub mod fitted;
+pub mod free;
+pub mod hold_out;
+pub mod projection;
+pub mod rank;
+pub mod regressors;
+pub mod scan;
+pub mod search;
+pub mod statement;
+pub mod updated;

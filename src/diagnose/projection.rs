@@ -1,0 +1,218 @@
+//! What a further cause could explain beyond all that is free already: the score step of Frisch, Waugh and Lovell.
+
+use nalgebra::{DMatrix, DVector};
+
+/// The linearised fit with everything that is free projected out.
+///
+/// Priors are further rows of the regression; a candidate has zeros there, so only the upper part of the orthonormal
+/// basis is kept: `Z~'Z~ = Z'Z - (Q'Z)'(Q'Z)` and `Z~'r = Z'r`.
+#[derive(Clone, Debug)]
+pub struct Projection {
+    /// Upper part of an orthonormal basis of what is free, rows x parameters.
+    basis: DMatrix<f64>,
+    /// Residuals, whitened, orthogonal to what is free.
+    pub residuals: DVector<f64>,
+    /// Sum of squares of residuals and priors.
+    pub cost: f64,
+    /// Coordinates.
+    pub rows: usize,
+    /// Free numbers.
+    pub free: usize,
+}
+
+/// What a candidate explains.
+#[derive(Clone, Debug)]
+pub struct Gain {
+    /// Reduction of the sum of squares, whitened.
+    pub explained: f64,
+    /// Independent numbers that it takes.
+    pub rank: usize,
+    /// Its parameters.
+    pub values: DVector<f64>,
+    /// Their standard uncertainties, by the noise that remains with it.
+    pub sigmas: DVector<f64>,
+}
+
+/// Directions of a candidate of which less than this part (of length) is its own are not looked at: what is left of
+/// them is the error of the linearisation.
+const OWN_PART: f64 = 0.004;
+
+impl Projection {
+    /// Projects out `free` (whitened Jacobian) with priors (`prior_sigmas`), from residuals and deviations from the
+    /// priors' means in their sigmas; both are brought to the optimum first.
+    pub fn new(free: &DMatrix<f64>, prior_sigmas: &[f64], residuals: &DVector<f64>, deviations: &[f64]) -> Self {
+        let (rows, columns) = free.shape();
+        let mut stacked = DMatrix::zeros(rows + columns, columns);
+        stacked.rows_mut(0, rows).copy_from(free);
+        let mut right = DVector::zeros(rows + columns);
+        right.rows_mut(0, rows).copy_from(residuals);
+        for (index, (sigma, deviation)) in prior_sigmas.iter().zip(deviations).enumerate() {
+            stacked[(rows + index, index)] = 1.0 / sigma;
+            right[rows + index] = *deviation;
+        }
+        for mut column in stacked.column_iter_mut() {
+            let length = column.norm();
+            if length > 0.0 {
+                column /= length;
+            }
+        }
+        let q = stacked.qr().q();
+        let right = &right - &q * (q.tr_mul(&right));
+        let right = &right - &q * (q.tr_mul(&right));
+        Self {
+            basis: q.rows(0, rows).into_owned(),
+            residuals: right.rows(0, rows).into_owned(),
+            cost: right.norm_squared(),
+            rows,
+            free: columns,
+        }
+    }
+
+    /// The same with further columns projected out, of which only what is new counts.
+    #[must_use]
+    pub fn with(&self, columns: &DMatrix<f64>) -> Self {
+        let along = self.basis.tr_mul(columns);
+        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
+        let (vectors, roots) = own_directions(&gram);
+        if roots.is_empty() {
+            return self.clone();
+        }
+        // Orthonormal directions of the candidate beyond what is free, in rows only: the part that they have in the
+        // prior rows is beyond measurement and is left out, a little to the safe side.
+        let mut unit = columns.clone();
+        for mut column in unit.column_iter_mut() {
+            let length = column.norm();
+            if length > 0.0 {
+                column /= length;
+            }
+        }
+        let mut fresh = (&unit - &self.basis * (self.basis.tr_mul(&unit))) * &vectors;
+        for (mut column, root) in fresh.column_iter_mut().zip(&roots) {
+            column /= *root;
+        }
+        let fresh = fresh.qr().q();
+        let along = fresh.tr_mul(&self.residuals);
+        let mut basis = DMatrix::zeros(self.rows, self.basis.ncols() + fresh.ncols());
+        basis.columns_mut(0, self.basis.ncols()).copy_from(&self.basis);
+        basis.columns_mut(self.basis.ncols(), fresh.ncols()).copy_from(&fresh);
+        Self {
+            residuals: &self.residuals - &fresh * &along,
+            cost: self.cost - along.norm_squared(),
+            free: self.free + fresh.ncols(),
+            basis,
+            rows: self.rows,
+        }
+    }
+
+    /// What these columns (whitened) explain of the residuals.
+    pub fn gain(&self, columns: &DMatrix<f64>) -> Gain {
+        self.gain_of(columns, &self.residuals)
+    }
+
+    /// What these columns explain of other residuals (a permutation, say) in the same projection.
+    pub fn gain_of(&self, columns: &DMatrix<f64>, residuals: &DVector<f64>) -> Gain {
+        let count = columns.ncols();
+        let along = self.basis.tr_mul(columns);
+        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
+        let lengths: Vec<f64> = columns.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
+        let slope = DVector::from_iterator(
+            count,
+            columns.column_iter().zip(&lengths).map(|(column, length)| column.dot(residuals) / length),
+        );
+        let (vectors, roots) = own_directions(&gram);
+        let parts = vectors.transpose() * &slope;
+        let mut explained = 0.0;
+        let mut values = DVector::zeros(count);
+        let mut variances = DVector::zeros(count);
+        for (index, root) in roots.iter().enumerate() {
+            let part = parts[index] / root;
+            explained += part * part;
+            for row in 0..count {
+                let direction = vectors[(row, index)] / root;
+                values[row] -= direction * part / lengths[row];
+                variances[row] += (direction / lengths[row]).powi(2);
+            }
+        }
+        let freedom = (self.rows as f64 - self.free as f64 - roots.len() as f64).max(1.0);
+        let variance = (self.cost - explained).max(0.0) / freedom;
+        Gain { explained, rank: roots.len(), values, sigmas: variances.map(|own: f64| (own * variance).sqrt()) }
+    }
+
+    /// Residuals of other data after all that is free is projected out (what priors hold back left aside).
+    pub fn projected(&self, residuals: &DVector<f64>) -> DVector<f64> {
+        residuals - &self.basis * (self.basis.tr_mul(residuals))
+    }
+
+    /// How much of the direction in which `one` (columns and their values) moves the records can be had by `other`:
+    /// cosine of the angle between it and the other's columns, both beyond what is free.
+    pub fn cosine(&self, one: &DMatrix<f64>, values: &DVector<f64>, other: &DMatrix<f64>) -> f64 {
+        let moved = one * values;
+        let own = &moved - &self.basis * (self.basis.tr_mul(&moved));
+        let length_squared = moved.dot(&own);
+        if length_squared <= 0.0 {
+            return 0.0;
+        }
+        (self.gain_of(other, &own).explained / length_squared).clamp(0.0, 1.0).sqrt()
+    }
+}
+
+/// A Gram matrix for columns of unit length.
+fn scaled(gram: &DMatrix<f64>, columns: &DMatrix<f64>) -> DMatrix<f64> {
+    let lengths: Vec<f64> = columns.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
+    DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, j| gram[(i, j)] / (lengths[i] * lengths[j]))
+}
+
+/// Eigenvectors of a Gram matrix and roots of their eigenvalues, those that are the candidate's own.
+fn own_directions(gram: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
+    let eigen = nalgebra::SymmetricEigen::new(gram.clone());
+    let kept: Vec<usize> =
+        (0..eigen.eigenvalues.len()).filter(|&k| eigen.eigenvalues[k] > OWN_PART * OWN_PART).collect();
+    let roots = kept.iter().map(|&k| eigen.eigenvalues[k].sqrt()).collect();
+    (eigen.eigenvectors.select_columns(&kept), roots)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sample(rows: usize, columns: usize, seed: f64) -> DMatrix<f64> {
+        DMatrix::from_fn(rows, columns, |i, j| ((i * 7 + j * 13 + i * j) as f64 * (0.37 + seed)).sin())
+    }
+
+    #[test]
+    fn the_gain_is_that_of_the_full_regression() {
+        let (free, columns) = (sample(60, 5, 0.0), sample(60, 2, 0.1));
+        let y = DVector::from_fn(60, |i, _| (i as f64 * 1.7).cos() + 0.3 * columns[(i, 0)]);
+        let sigmas = [10.0, 3.0, 1.0, 0.2, 5.0];
+        let left = |columns: &DMatrix<f64>, extra: usize| {
+            let mut stacked = DMatrix::zeros(65, 5 + extra);
+            stacked.view_mut((0, 0), (60, 5)).copy_from(&free);
+            stacked.view_mut((0, 5), (60, extra)).copy_from(&columns.columns(0, extra));
+            for k in 0..5 {
+                stacked[(60 + k, k)] = 1.0 / sigmas[k];
+            }
+            let mut right = DVector::zeros(65);
+            right.rows_mut(0, 60).copy_from(&y);
+            let solved = stacked.clone().svd(true, true).solve(&right, 1e-12).expect("factors");
+            ((&right - &stacked * &solved).norm_squared(), solved)
+        };
+        let ((without, _), (with, solved)) = (left(&columns, 0), left(&columns, 2));
+        let projection = Projection::new(&free, &sigmas, &y, &[0.0; 5]);
+        let gain = projection.gain(&columns);
+        assert!((projection.cost - without).abs() < 1e-9 * without);
+        assert!((gain.explained - (without - with)).abs() < 1e-8 * without);
+        // Residuals are model minus measurement: the parameter that undoes them has the other sign.
+        assert!((gain.values[0] + solved[5]).abs() < 1e-8);
+        let further = projection.with(&columns.columns(0, 1).into_owned());
+        assert!(further.cost < projection.cost && further.free == 6);
+    }
+
+    #[test]
+    fn what_is_free_already_explains_nothing() {
+        let free = sample(60, 5, 0.0);
+        let y = DVector::from_fn(60, |i, _| (i as f64 * 1.7).cos());
+        let projection = Projection::new(&free, &[1e9; 5], &y, &[0.0; 5]);
+        let again = projection.gain(&free.columns(1, 2).into_owned());
+        assert_eq!((again.rank, again.explained), (0, 0.0));
+    }
+}

@@ -1,0 +1,112 @@
+//! The learner in a calibration: learned on identification and training records, judged on records that neither saw,
+//! delivered with all that the calibration delivers.
+
+use nalgebra::Vector3;
+
+use crate::identify::calibrate::{Outcome, StageState};
+use crate::identify::estimate::{estimate, root_mean_square};
+use crate::identify::problem::{NoPose, Problem};
+use crate::identify::state::State;
+use crate::model::learner::Learner;
+
+use super::choose::{Learned, learn};
+use super::paper::train;
+use super::samples::Samples;
+
+/// Name of the stage.
+pub const STAGE: &str = "learner";
+
+/// Adds the learner, where held-out records say that it helps: a further stage, and the delivered model with it.
+///
+/// # Errors
+/// [`NoPose`] when a model cannot place a record.
+pub fn add(outcome: &mut Outcome<'_>, seed: u64) -> Result<Learned, NoPose> {
+    let unknowns = outcome.delivered.fit.unknowns.clone();
+    let mut records: Vec<usize> = outcome.split.identify.iter().chain(&outcome.split.train).copied().collect();
+    records.sort_unstable();
+    records.dedup();
+    records.retain(|&index| outcome.sound[index]);
+    let identified =
+        outcome.stages.last().map_or_else(|| outcome.delivered.fit.state.clone(), |last| last.state.clone());
+    let problem = outcome.problem.subset(&records);
+    let mut learned = learn(&problem, &identified, &unknowns, seed, None)?;
+    let Some(state) = learned.state.clone() else { return Ok(learned) };
+    outcome.stages.push(StageState { name: STAGE, free: unknowns.len(), state });
+    if outcome.fitted != records {
+        let problem = outcome.problem.subset(&outcome.fitted);
+        let again = learn(&problem, &outcome.delivered.fit.state, &unknowns, seed, Some(learned.chosen))?;
+        learned = Learned { candidates: learned.candidates, chosen: learned.chosen, ..again };
+    }
+    deliver(outcome, &learned)?;
+    Ok(learned)
+}
+
+/// Adds the network of the paper instead: learned on the training records alone, whatever it is worth.
+///
+/// The delivered model is the last stage, identified on the identification records alone, with the network.
+///
+/// # Errors
+/// [`NoPose`] when a model cannot place a record.
+pub fn add_paper_network(outcome: &mut Outcome<'_>, seed: u64) -> Result<(), NoPose> {
+    let records: Vec<usize> = outcome.split.train.iter().copied().filter(|&index| outcome.sound[index]).collect();
+    let problem = outcome.problem.subset(&records);
+    let with_network = |mut state: State| {
+        state.model.learner = Some(train(&problem, &state, seed)?.into());
+        Ok(state)
+    };
+    // The delivered model may have seen the validation records: the stage must not.
+    let identified = outcome.stages.last().map_or(&outcome.delivered.fit.state, |last| &last.state).clone();
+    let free = outcome.delivered.fit.unknowns.len();
+    outcome.stages.push(StageState { name: "network", free, state: with_network(identified)? });
+    outcome.delivered.fit.state = with_network(outcome.delivered.fit.state.clone())?;
+    Ok(())
+}
+
+/// Puts the learner into the delivered estimate.
+fn deliver(outcome: &mut Outcome<'_>, learned: &Learned) -> Result<(), NoPose> {
+    let Some(mut state) = learned.state.clone() else { return Ok(()) };
+    let mut problem = outcome.problem.subset(&outcome.fitted);
+    calibrate_uncertainty(&problem, &mut state, learned)?;
+    let unknowns = outcome.delivered.fit.unknowns.clone();
+    // The records leave less now, and what they leave is less than the noise by what the learner took of it.
+    for record in &mut problem.records {
+        record.sigma_m *= learned.noise_scale;
+    }
+    let sigma_m = root_mean_square(problem.records.iter().map(|record| record.sigma_m));
+    let before = outcome.delivered.scale;
+    let mut delivered = estimate(problem, state, &unknowns, true)?;
+    delivered.scale *= before * learned.noise_scale;
+    delivered.spread.sigma_m = sigma_m;
+    delivered.spread.freedom = learned.freedom.max(1.0);
+    for record in &mut outcome.problem.records {
+        record.sigma_m *= learned.noise_scale;
+    }
+    outcome.delivered = delivered;
+    Ok(())
+}
+
+/// Scales the uncertainty of the curves so that, over the records, it adds up to that of the whole regression. The
+/// curves' own uncertainties are marginal; two that turn parallel axes share an error and undo it.
+fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, learned: &Learned) -> Result<(), NoPose> {
+    let samples = Samples::new(problem, state, &[])?;
+    let Some(Learner::Curves(curves)) = &mut state.model.learner else { return Ok(()) };
+    let mut claimed_m2 = 0.0;
+    for record in 0..samples.count() {
+        let (angles, torques) = (&samples.actuators_rad[record], &samples.torque_nm[record]);
+        let sigma = curves.sigma_rad(angles, torques, &samples.observations[record].conditions);
+        let sigma_m = problem.records[record].sigma_m;
+        let first = samples.rows[record];
+        for (actuator, sigma) in sigma.iter().enumerate() {
+            let lever = Vector3::from_fn(|axis, _| samples.levers[(first + axis, actuator)] * sigma_m);
+            claimed_m2 += (lever * *sigma).norm_squared();
+        }
+    }
+    claimed_m2 /= samples.count().max(1) as f64;
+    if claimed_m2 > 0.0 {
+        let factor = (learned.error_m2 / claimed_m2).sqrt();
+        for sigma in curves.curves.iter_mut().flat_map(|curve| &mut curve.sigma_rad) {
+            *sigma = (*sigma * factor * 1e11).round() / 1e11;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,17 @@
+//! Floor 6: what the physics leaves. Learned from the residuals of an identification, used only where records that were
+//! held out say that it helps.
+//!
+//! The parts: [`samples`] (residuals and levers of the records), [`term`] (the functions of which a learner may be
+//! made), [`evidence`] (how strong each may be: Bayesian regression with a variance for each group), [`additive`] (the
+//! learner of joint errors), [`folds`] (blocked cross-validation), [`choose`] (which learner, if any), [`calibration`] (the
+//! learner as a stage of a calibration), [`paper`] (the plain network of the paper).
+
+pub mod additive;
+pub mod calibration;
+pub mod cholesky;
+pub mod choose;
+pub mod evidence;
+pub mod folds;
+pub mod paper;
+pub mod samples;
+pub mod term;

@@ -1,0 +1,11 @@
+//! The program as a user runs it: what it prints, where, with which exit status, and which files are there afterwards.
+
+#![allow(clippy::expect_used, reason = "a test may stop where its own preparation fails")]
+
+mod bad_input;
+mod batch;
+mod bench;
+mod jobs;
+mod main_job;
+mod singular;
+mod talk;

@@ -1,0 +1,149 @@
+//! Concealed trials: an arm written here, apart from the model (a bare product of turns and shifts), does something that
+//! its robot file does not say; the diagnosis must say what. The larger trials stand in docs/diagnosis.md.
+
+#![allow(clippy::expect_used, reason = "a test may stop where its own preparation fails")]
+
+use std::fmt::Write;
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use falsetarget::base::text::Source;
+use falsetarget::diagnose::diagnosis::{Diagnosis, Verdict, diagnose};
+use falsetarget::files::{recording, robot};
+use falsetarget::measure::recording::Recording;
+use falsetarget::model::arm::ArmModel;
+
+/// Rows theta, d, a, alpha (deg and mm), standard convention.
+const ROWS: [[f64; 4]; 6] = [
+    [0.0, 480.0, 120.0, -90.0],
+    [-90.0, 0.0, 640.0, 0.0],
+    [0.0, 0.0, 110.0, -90.0],
+    [0.0, 690.0, 0.0, 90.0],
+    [0.0, 0.0, 0.0, -90.0],
+    [180.0, 110.0, 0.0, 0.0],
+];
+const TOOL_MM: [f64; 3] = [40.0, -30.0, 160.0];
+const NOISE_MM: f64 = 0.03;
+
+fn robot_text() -> String {
+    let mut text = String::from("schema: falsetarget/robot/1\nname: trial\nconvention: standard-dh\njoints:\n");
+    for (index, [theta, d, a, alpha]) in ROWS.iter().enumerate() {
+        writeln!(
+            text,
+            "  - {{name: J{}, theta_deg: {theta}, d_mm: {d}, a_mm: {a}, alpha_deg: {alpha}, min_deg: -150, max_deg: 150}}",
+            index + 1
+        )
+        .expect("a string");
+    }
+    text + "base: {xyz_mm: [0, 0, 0], rpy_deg: [0, 0, 0]}\ntool: {xyz_mm: [40, -30, 160], rpy_deg: [0, 0, 0]}\n"
+}
+
+/// What a trial conceals: extra turns of the joints, rad, from joint numbers, rad, and senses of approach.
+type Concealed = fn(&[f64; 6], &[f64; 6]) -> [f64; 6];
+
+/// A recording of an arm with random geometry errors, noise, and what is concealed.
+fn recorded(records: usize, seed: u64, concealed: Concealed) -> String {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let normal = |random: &mut ChaCha8Rng| -> f64 { StandardNormal.sample(random) };
+    // Every link carries a displacement of its own, six numbers, not those of the tool's error parameters.
+    let links: Vec<Isometry3<f64>> = (0..6)
+        .map(|_| {
+            let shift = Vector3::from_fn(|_, _| 0.3 * normal(&mut random));
+            let turn = Vector3::from_fn(|_, _| 4e-4 * normal(&mut random));
+            Isometry3::new(shift, turn)
+        })
+        .collect();
+    let columns = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"].join(",");
+    let senses = ["dir1", "dir2", "dir3", "dir4", "dir5", "dir6"].join(",");
+    let mut text = format!("id,{columns},{senses},t_s,x_mm,y_mm,z_mm\n");
+    for record in 0..records {
+        let joints_deg: [f64; 6] = std::array::from_fn(|_| (random.random::<f64>() - 0.5) * 220.0);
+        let joints_deg = joints_deg.map(|angle| (1e4 * angle).round() / 1e4);
+        let joints = joints_deg.map(f64::to_radians);
+        let sense: [f64; 6] = std::array::from_fn(|_| if random.random::<f64>() < 0.5 { -1.0 } else { 1.0 });
+        let extra = concealed(&joints, &sense);
+        let mut pose = Isometry3::identity();
+        for (row, [theta, d, a, alpha]) in ROWS.iter().enumerate() {
+            let turn =
+                UnitQuaternion::from_axis_angle(&Vector3::z_axis(), theta.to_radians() + joints[row] + extra[row]);
+            let twist = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), alpha.to_radians());
+            pose = pose * turn * Translation3::new(*a, 0.0, *d) * twist * links[row];
+        }
+        let point = pose * nalgebra::Point3::from(TOOL_MM);
+        write!(text, "{}", record + 1).expect("a string");
+        joints_deg.iter().chain(&sense).for_each(|number| write!(text, ",{number}").expect("a string"));
+        write!(text, ",{}", 10 * record).expect("a string");
+        point.iter().for_each(|x| write!(text, ",{:.5}", x + NOISE_MM * normal(&mut random)).expect("a string"));
+        text.push('\n');
+    }
+    text
+}
+
+fn diagnosed<'a>(recordings: &'a [Recording], arm: &ArmModel) -> Diagnosis<'a> {
+    diagnose(arm, recordings, 1).expect("a diagnosis")
+}
+
+fn trial(seed: u64, concealed: Concealed) -> (Vec<Recording>, ArmModel) {
+    let robot = robot::read(&Source::new("robot.yaml", robot_text())).expect("a robot");
+    let text = recorded(160, seed, concealed);
+    let recording = recording::read(&Source::new("r.csv", text), &robot).expect("a recording");
+    (vec![recording], ArmModel::nominal(robot))
+}
+
+#[test]
+fn nothing_is_named_where_nothing_is_missing() {
+    let (recordings, arm) = trial(5, |_, _| [0.0; 6]);
+    let found = diagnosed(&recordings, &arm);
+    assert_eq!(found.verdict, Verdict::NothingMissing, "{:?}", found.findings);
+    assert!(found.outliers.is_empty());
+    // Noise per axis of 160 records: known to 4 %.
+    assert!((1e3 * found.noise_sigma_m / NOISE_MM - 1.0).abs() < 0.15, "{}", found.noise_sigma_m);
+}
+
+#[test]
+fn a_periodic_error_and_a_lost_motion_are_found_in_turn_with_their_sizes() {
+    let (recordings, arm) = trial(6, |q, sense| {
+        let mut extra = [0.0; 6];
+        extra[3] = 4e-4 * (3.0 * q[3] + 0.7).sin();
+        extra[0] = -6e-5 * sense[0];
+        extra
+    });
+    let found = diagnosed(&recordings, &arm);
+    assert_eq!(found.verdict, Verdict::Explained);
+    let named: Vec<(&str, Option<usize>)> = found
+        .findings
+        .iter()
+        .map(|finding| (finding.instance.effect.meta().id, finding.instance.location.joint))
+        .collect();
+    assert!(named.contains(&("joint_periodic", Some(4))), "{named:?}");
+    // Without masses in the robot file play and wind-up are one: either name, the other as its rival.
+    let lost = found.findings.iter().find(|finding| finding.instance.location.joint == Some(1)).expect("joint 1");
+    let names: Vec<&str> =
+        lost.alternatives.iter().map(|rival| rival.effect).chain([lost.instance.effect.meta().id]).collect();
+    assert!(names.contains(&"backlash") && names.contains(&"friction_windup"), "{names:?}");
+    assert_eq!(found.findings.len(), 2);
+    let periodic = found.findings.iter().find(|finding| finding.instance.location.joint == Some(4)).expect("joint 4");
+    assert_eq!(periodic.instance.location.order, Some(3.0));
+    let amplitude = periodic.values[0].value.hypot(periodic.values[1].value);
+    assert!((amplitude / 4e-4 - 1.0).abs() < 0.1, "{amplitude}");
+    // What is left is noise and the uncertainty of some 30 numbers from 160 records.
+    let noise_rms_mm = NOISE_MM * 3f64.sqrt();
+    assert!(found.after.held_out_rms_mm < 1.35 * noise_rms_mm && found.before.held_out_rms_mm > 1.4 * noise_rms_mm);
+}
+
+#[test]
+fn what_has_no_name_is_located_and_not_named() {
+    let (recordings, arm) = trial(7, |q, _| {
+        let mut extra = [0.0; 6];
+        extra[4] = 9e-4 * (1.7 * q[1]).sin() * (1.3 * q[3]).cos();
+        extra
+    });
+    let found = diagnosed(&recordings, &arm);
+    assert_eq!(found.verdict, Verdict::Unexplained, "{:?}", found.findings);
+    let unexplained = found.unexplained.expect("something without a name");
+    assert_eq!(unexplained.location().joint, Some(5));
+    assert_eq!(unexplained.depends_on(), ["q2", "q4"]);
+}
