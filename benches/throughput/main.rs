@@ -3,11 +3,13 @@
 //!     cargo bench --bench throughput              # everything
 //!     cargo bench --bench throughput kinematics   # forward and inverse, with rs-opw-kinematics beside it
 //!     cargo bench --bench throughput correction   # single poses of the real arm, whole files, stages
+//!     cargo bench --bench throughput identification   # Jacobian, identification, calibration of 500 poses
 //!
-//! Everything runs on one core: the tool uses more only for more files.
+//! Programs run on one core: the tool uses more only for more files. Identification uses all there are.
 
 mod arms;
 mod correction;
+mod identification;
 mod kinematics;
 mod programs;
 

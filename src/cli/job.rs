@@ -165,6 +165,11 @@ pub fn dialect_of(source: &Source, wanted: Option<&'static dyn Dialect>) -> Resu
     if source.bytes().iter().all(u8::is_ascii_whitespace) {
         return refuse(Diagnostic::error("empty-file", "the program is empty").at(0, Span::new(0, 0), ""));
     }
+    if source.is_binary() {
+        let message = "this is binary data, not the text of a program";
+        let help = "an encoded or encrypted module must be saved as text where it was made";
+        return refuse(Diagnostic::error("binary", message).at(0, first_line, "").help(help));
+    }
     let found = dialect::detect(source);
     match (wanted, found) {
         (Some(wanted), Some(found)) if wanted.meta().id != found.meta().id => refuse(
@@ -176,11 +181,6 @@ pub fn dialect_of(source: &Source, wanted: Option<&'static dyn Dialect>) -> Resu
         (None, Some(found)) => Ok(found),
         (None, None) => {
             let known: Vec<&str> = DIALECTS.iter().map(|dialect| dialect.meta().id).collect();
-            if is_binary(source.bytes()) {
-                let message = "this is binary data, not the text of a program";
-                let help = "an encoded or encrypted module must be saved as text where it was made";
-                return refuse(Diagnostic::error("binary", message).at(0, first_line, "").help(help));
-            }
             refuse(
                 Diagnostic::error("dialect", "no robot language that this tool knows begins like this")
                     .at(0, first_line, "")
@@ -188,12 +188,4 @@ pub fn dialect_of(source: &Source, wanted: Option<&'static dyn Dialect>) -> Resu
             )
         }
     }
-}
-
-/// More than a tenth of control characters: no text in any encoding that robots use.
-fn is_binary(bytes: &[u8]) -> bool {
-    const LOOKED_AT: usize = 4096;
-    let start = &bytes[..bytes.len().min(LOOKED_AT)];
-    let is_control = |byte: &&u8| byte.is_ascii_control() && !byte.is_ascii_whitespace();
-    start.iter().filter(is_control).count() * 10 > start.len()
 }

@@ -114,7 +114,7 @@ impl Projection {
         let count = columns.ncols();
         let along = self.basis.tr_mul(columns);
         let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
-        let lengths: Vec<f64> = columns.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
+        let lengths = lengths_of(columns);
         let slope = DVector::from_iterator(
             count,
             columns.column_iter().zip(&lengths).map(|(column, length)| column.dot(residuals) / length),
@@ -158,8 +158,14 @@ impl Projection {
 
 /// A Gram matrix for columns of unit length.
 fn scaled(gram: &DMatrix<f64>, columns: &DMatrix<f64>) -> DMatrix<f64> {
-    let lengths: Vec<f64> = columns.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
+    let lengths = lengths_of(columns);
     DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, j| gram[(i, j)] / (lengths[i] * lengths[j]))
+}
+
+/// Length of each column; 1 for one that is zero.
+fn lengths_of(columns: &DMatrix<f64>) -> Vec<f64> {
+    let length = |norm: f64| if norm > 0.0 { norm } else { 1.0 };
+    columns.column_iter().map(|column| length(column.norm())).collect()
 }
 
 /// Eigenvectors of a Gram matrix and roots of their eigenvalues, those that are the candidate's own.
@@ -214,5 +220,10 @@ mod tests {
         let projection = Projection::new(&free, &[1e9; 5], &y, &[0.0; 5]);
         let again = projection.gain(&free.columns(1, 2).into_owned());
         assert_eq!((again.rank, again.explained), (0, 0.0));
+        // Columns that move nothing are no obstacle to those beside them.
+        let mut half_empty = DMatrix::zeros(60, 3);
+        half_empty.set_column(1, &sample(60, 1, 0.1).column(0));
+        let gain = projection.gain(&half_empty);
+        assert!(gain.rank == 1 && gain.explained.is_finite() && gain.values[0] == 0.0);
     }
 }

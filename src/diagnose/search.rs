@@ -10,7 +10,7 @@ use crate::measure::recording::Kind;
 use super::candidate::Candidate;
 use super::evidence::{self, DECIDES, SMALLEST_PART};
 use super::fitted::{Fitted, Ground};
-use super::free::{FreeFunction, free_functions};
+use super::free::{FreeFunction, Seat, free_functions};
 use super::hold_out::{Blocks, fall_in_errors};
 use super::projection::Projection;
 use super::rank::{Cause, Ranked, Suspect, rank, searched, suspects};
@@ -24,6 +24,8 @@ const TRIES: usize = 6;
 const CONTENDERS: usize = 3;
 /// Exchanges of one cause for a better one.
 const MOST_EXCHANGES: usize = 4;
+/// By how much a cause without a name must explain more than the best one with a name.
+const CLEARLY_MORE: f64 = 1.15;
 /// Differences of evidence between full fits that count as none.
 const EQUAL: f64 = 0.05;
 /// Shuffles of the records.
@@ -42,6 +44,9 @@ pub struct Found<'a> {
     /// The blocks of held-out figures.
     pub blocks: Blocks,
 }
+
+/// A contender by its place in the ranking, with the named causes that it makes; `None` for one without a name.
+type Choice = (usize, Option<Vec<Candidate>>);
 
 /// Looks for what is missing.
 ///
@@ -67,9 +72,6 @@ pub fn search<'a>(ground: &Ground<'a>, kind: Kind, seed: u64) -> Result<Found<'a
     }
 }
 
-/// Which contender won, and its terms where it is a named cause.
-type Choice = (usize, Option<Vec<Candidate>>);
-
 impl<'a> Found<'a> {
     /// What is left beyond everything found, but for one named cause.
     pub fn projection(&self, without: Option<usize>) -> Result<Projection, NoPose> {
@@ -89,9 +91,17 @@ impl<'a> Found<'a> {
         let mut all = suspects(&regressors)?;
         all.extend(searched(&regressors, &projection));
         let ranked = rank(&all, &projection);
+        let sound =
+            |ranked: &&Ranked<'_>| ranked.evidence < 0.0 && ranked.gain.explained > SMALLEST_PART * projection.cost;
+        let named = ranked.iter().filter(sound).filter(|ranked| ranked.suspect.candidate().is_some());
+        let best_named = named.map(|ranked| ranked.gain.explained).fold(0.0, f64::max);
         let worth: Vec<&Ranked<'_>> = ranked
             .iter()
-            .filter(|ranked| ranked.evidence < 0.0 && ranked.gain.explained > SMALLEST_PART * projection.cost)
+            .filter(sound)
+            .filter(|ranked| match &ranked.suspect.cause {
+                Cause::Free(function) => ranked.gain.explained > CLEARLY_MORE * best_named.max(self.named_at(function)),
+                Cause::Named(_) => true,
+            })
             .take(TRIES)
             .collect();
         let mut refused: Vec<usize> = Vec::new();
@@ -120,6 +130,19 @@ impl<'a> Found<'a> {
             return Ok(true);
         }
         Ok(false)
+    }
+
+    /// Part that must be left over by the named causes at a seat, as [`CLEARLY_MORE`] has it: a law that is right to
+    /// within a few per cent is the right law.
+    fn named_at(&self, function: &FreeFunction) -> f64 {
+        let here = |term: &usize| match function.seat {
+            Seat::Joint(joint) => self.fitted.terms[*term].location().joint_index() == Some(joint),
+            Seat::Base | Seat::Tool => self.fitted.terms[*term].location().frame.is_some(),
+        };
+        let explained = (0..self.fitted.terms.len())
+            .filter(here)
+            .map(|term| self.fitted.projection(Some(term)).gain(&self.fitted.columns_of(term)).explained);
+        (CLEARLY_MORE - 1.0) / CLEARLY_MORE * explained.sum::<f64>()
     }
 
     /// The contender whose full fit has the strongest evidence; `None` when none has believable numbers.
@@ -271,9 +294,10 @@ impl<'a> Found<'a> {
             let mut all = standing.clone();
             all.extend(searched(&regressors, &projection));
             let ranked = rank(&all, &projection);
+            let own = projection.gain(&self.fitted.columns_of(term)).explained;
             let better = ranked.iter().find(|ranked| match &ranked.suspect.cause {
                 Cause::Named(candidate) => !candidate.same_as(&self.fitted.terms[term]),
-                Cause::Free(_) => true,
+                Cause::Free(_) => ranked.gain.explained > CLEARLY_MORE * own,
             });
             let Some(better) = better.filter(|better| better.evidence < evidence - DECIDES) else { continue };
             let mut terms = self.fitted.terms.clone();

@@ -1,4 +1,4 @@
-//! Recordings: CSV with one header row. The columns stand in docs/files.md and in [`columns`].
+//! Recordings: CSV with one header row. The columns stand in docs/files.md.
 //!
 //! Beside the contract's columns the tool reads `rx_deg`, `ry_deg`, `rz_deg` (orientation of the tool in the measuring
 //! frame, fixed X-Y-Z angles, from trackers that measure six degrees of freedom) and `sigma_deg` (its standard

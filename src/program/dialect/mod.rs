@@ -10,9 +10,11 @@ mod hyundai;
 mod inform;
 mod krl;
 mod rapid;
+mod urscript;
 
 /// Every language that the tool reads.
-pub const DIALECTS: &[&dyn Dialect] = &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform, &krl::Krl];
+pub const DIALECTS: &[&dyn Dialect] =
+    &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform, &krl::Krl, &urscript::UrScript];
 
 /// What there is to know about a language without reading a program.
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +62,10 @@ pub fn by_id(id: &str) -> Option<&'static dyn Dialect> {
     DIALECTS.iter().copied().find(|dialect| dialect.meta().id.eq_ignore_ascii_case(id))
 }
 
-/// The dialect that recognises the content.
+/// The dialect that recognises the content; none for data that is no text at all.
 pub fn detect(source: &Source) -> Option<&'static dyn Dialect> {
+    if source.is_binary() {
+        return None;
+    }
     DIALECTS.iter().copied().find(|dialect| dialect.recognises(source))
 }

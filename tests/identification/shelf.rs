@@ -1,0 +1,30 @@
+//! The recordings under calibration/recordings, and calibrating them.
+
+use falsetarget::base::text::Source;
+use falsetarget::files::calibration::Calibration;
+use falsetarget::files::{recording, robot};
+use falsetarget::identify::calibrate::{Options, Refusal, calibrate};
+use falsetarget::identify::report::Report;
+use falsetarget::identify::summary::summarise;
+use falsetarget::measure::recording::Recording;
+use falsetarget::model::arm::ArmModel;
+use falsetarget::model::robot::Robot;
+
+fn source(folder: &str, file: &str) -> Source {
+    let path = format!("{}/calibration/recordings/{folder}/{file}", env!("CARGO_MANIFEST_DIR"));
+    Source::new(file.to_string(), std::fs::read(&path).unwrap_or_else(|error| panic!("{path}: {error}")))
+}
+
+pub fn robot_of(folder: &str) -> Robot {
+    robot::read(&source(folder, "robot.yaml")).expect("a robot")
+}
+
+pub fn recording_of(folder: &str, file: &str) -> Recording {
+    recording::read(&source(folder, file), &robot_of(folder)).expect("a recording")
+}
+
+/// Calibrates with default options.
+pub fn calibrated(robot: &Robot, recordings: &[Recording]) -> Result<(Calibration, Report), Refusal> {
+    let outcome = calibrate(&ArmModel::nominal(robot.clone()), recordings, &Options::default(), &mut |_| {})?;
+    Ok(summarise(&outcome, recordings)?)
+}
