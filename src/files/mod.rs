@@ -6,4 +6,5 @@ pub mod cell;
 pub mod error;
 pub mod recording;
 pub mod robot;
+pub mod settings;
 mod yaml;

@@ -265,9 +265,23 @@ impl Program {
     pub fn key(name: &str) -> String {
         name.to_lowercase()
     }
+
+    /// True for a target of the job's own files, or one in a file that it only reads to which its own moves go: what
+    /// else stands there concerns other jobs.
+    pub fn concerns(&self, target: &Target) -> bool {
+        !self.read_only.contains(&target.file) || target.uses.iter().any(|one| !self.read_only.contains(&one.file))
+    }
 }
 
 impl Target {
+    /// Adds a move that goes there. Most targets have one: no room is kept for more.
+    pub fn add_use(&mut self, one: Use) {
+        if self.uses.is_empty() {
+            self.uses.reserve_exact(1);
+        }
+        self.uses.push(one);
+    }
+
     /// `cartesian` or `joint`, as reports say it.
     pub fn kind(&self) -> &'static str {
         match self.value {

@@ -194,7 +194,7 @@ impl<'a> One<'a> {
                     others.push(unwritten(self.file, name, span, reason));
                     others.len() - 1
                 });
-                others[slot].uses.push(one);
+                others[slot].add_use(one);
             }
         }
         if let Some(one) = indirect {

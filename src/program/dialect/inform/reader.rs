@@ -201,7 +201,7 @@ impl<'a> Targets<'a> {
             });
             self.others.len() - 1
         });
-        self.others[slot].uses.push(one);
+        self.others[slot].add_use(one);
     }
 
     fn find(&self, file: usize, kind: Kind, number: u32) -> Option<(usize, usize)> {
