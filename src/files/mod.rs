@@ -1,5 +1,6 @@
 //! Floor 3: the tool's own files. YAML and CSV in, checked values out; millimetres and degrees end here.
 
+pub mod axes;
 pub mod builtin;
 pub mod calibration;
 pub mod cell;

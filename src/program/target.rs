@@ -80,6 +80,8 @@ pub struct FrameData {
     pub pose: Pose,
     /// True when the robot holds the work piece (with a stationary tool).
     pub held_by_robot: bool,
+    /// The mechanical unit that moves the frame: `pose` then counts from where the cell file has that unit.
+    pub on: Option<Arc<str>>,
 }
 
 /// A mass.
@@ -108,6 +110,8 @@ pub struct Target {
     pub configuration: Configuration,
     /// Values of additional axes, as written (mm or deg).
     pub external_axes: Vec<ExternalAxis>,
+    /// True for a pose in coordinates that travel with the robot on a track; else the frame stands in the cell.
+    pub rides_along: bool,
     /// The moves that go there, in the order in which they stand in the program.
     pub uses: Vec<Use>,
 }

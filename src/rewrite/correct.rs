@@ -198,11 +198,8 @@ impl Work<'_> {
         approach: [f64; DOF],
         outcomes: &[TargetOutcome],
     ) -> Result<Figures, Obstacle> {
-        let setting = self.settings.get(visit.setting).as_ref().map_err(Obstacle::clone)?;
-        let nominal_rad = visit.nominal_rad.clone().map_err(|obstacle| {
-            let reason = words::with_travel(obstacle.reason, &self.job.program.targets[index]);
-            Obstacle { reason, ..obstacle }
-        })?;
+        let setting = &*self.settings.at(visit.setting, &self.job.program.targets[index])?;
+        let nominal_rad = visit.nominal_rad.clone()?;
         let conditions = Conditions { approach, payload: setting.payload, ..Conditions::default() };
         let figures = match &self.job.program.targets[index].value {
             TargetValue::Displaced(displacement) => {

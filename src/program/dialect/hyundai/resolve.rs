@@ -150,6 +150,7 @@ impl Step<'_> {
             computed: Some(reason),
             configuration: Default::default(),
             external_axes: Vec::new(),
+            rides_along: false,
             uses: Vec::new(),
         }
     }
