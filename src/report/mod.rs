@@ -2,4 +2,5 @@
 
 pub mod diagnosis;
 pub mod landing;
+pub mod tally;
 pub mod targets;

@@ -69,7 +69,7 @@ pub(super) fn read(sources: &[Source]) -> Program {
     }
     resolver.finish(&mut program);
     for (index, file) in files.iter().enumerate() {
-        checks::targets(index, &file.header, &mut program);
+        checks::targets(index, &mut program);
     }
     program.targets.sort_by_key(|target| (target.file, target.span));
     program
