@@ -8,12 +8,13 @@ use super::target::Program;
 mod fanuc;
 mod hyundai;
 mod inform;
+mod kawasaki;
 mod rapid;
 mod urscript;
 
 /// Every language that the tool reads.
 pub const DIALECTS: &[&dyn Dialect] =
-    &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform, &urscript::UrScript];
+    &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform, &urscript::UrScript, &kawasaki::Kawasaki];
 
 /// What there is to know about a language without reading a program.
 #[derive(Clone, Copy, Debug)]
