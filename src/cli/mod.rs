@@ -11,6 +11,7 @@ mod correct;
 mod diagnose;
 mod exit;
 mod inspect;
+mod job;
 mod load;
 mod output;
 mod predict;
