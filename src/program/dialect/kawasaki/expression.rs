@@ -349,13 +349,8 @@ pub(super) fn trans(numbers: &[Number]) -> Option<Pose> {
     for (place, number) in six.iter_mut().zip(numbers) {
         *place = number.value()?;
     }
-    let fields = six.map(|value| NumberField {
-        span: Span::default(),
-        value,
-        decimals: 0,
-        insertion: None,
-        column: None,
-    });
+    let fields =
+        six.map(|value| NumberField { span: Span::default(), value, decimals: 0, insertion: None, column: None });
     debug_assert_eq!(values(&fields), six);
     pose_numbers(fields).pose()
 }

@@ -46,7 +46,9 @@ pub(super) fn motion(word: &str, cursor: &Cursor<'_>, statement: Span) -> Option
     };
     match word {
         "DRAW" | "TDRAW" | "DRIVE" | "LDEPART" | "JDEPART" | "HDEPART" => made(Goal::Relative(statement), None),
-        "JOINT" | "LINEAR" | "LINEAR2" | "FLIN" | "CIR1" | "CIR2" => block(&mut cursor).and_then(|goal| made(goal, None)),
+        "JOINT" | "LINEAR" | "LINEAR2" | "FLIN" | "CIR1" | "CIR2" => {
+            block(&mut cursor).and_then(|goal| made(goal, None))
+        }
         _ => {
             // `LMOVE = 3` would be a variable, `LMOVE[2] = 3` too.
             cursor.skip_blanks();

@@ -5,14 +5,14 @@ use std::collections::{HashMap, HashSet};
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
 use crate::geometry::pose::Pose;
-use crate::program::target::{DisplacementKind, Program, Reference, TargetValue, Use};
+use crate::program::target::{DisplacementKind, PathKind, Program, Reference, TargetValue, Use};
 
 use super::assignment::{Placed, apply};
 use super::expression::{Expression, Name, Term, trans};
 use super::motion::{Goal, Motion};
 use super::section::{Body, sections};
-use super::selection::{InFile, Setting, define_system, frame};
-use super::statement::{Statement, statement, system_data};
+use super::selection::{InForceAt, Setting, define_system, frame};
+use super::statement::{Statement, statements as statements_of, system_data};
 use super::target::{Displaced, Targets, three};
 use super::value::{Found, Scope, Values, literal, literal_numbers};
 
@@ -41,9 +41,10 @@ pub(super) fn read(sources: &[Source]) -> Program {
             }
         }
         for (place, body) in found.programs.iter().enumerate() {
-            let read = |line: &Span| Some((*line, statement(source.bytes(), *line)?));
-            let placed = |(span, statement)| Placed { scope: (file, place), span, statement };
-            statements.extend(body.lines.iter().filter_map(read).map(placed));
+            for &span in &body.lines {
+                let placed = |statement| Placed { scope: (file, place), span, statement };
+                statements.extend(statements_of(source.bytes(), span).map(placed));
+            }
         }
         bodies.push(found.programs);
     }
@@ -52,12 +53,8 @@ pub(super) fn read(sources: &[Source]) -> Program {
     let mut reader =
         Reader { sources, values: &values, kept: &kept, reached: HashSet::new(), targets: Targets::default() };
     reader.reached = reader.reached(&statements);
-    for (file, source) in sources.iter().enumerate() {
-        let own: Vec<&Placed> = statements.iter().filter(|placed| placed.scope.0 == file).collect();
-        let settings = InFile::of(file, source, &bodies[file], &own, &values, &mut program);
-        settings.check(file, &own, &mut program);
-        reader.file(&own, &settings, &mut program);
-    }
+    let settings = InForceAt::of(sources, &bodies, &statements, &values, &mut program);
+    reader.all(&statements, &settings, &mut program);
     reader.targets.finish(&mut program);
     travel(&mut program);
     program
@@ -97,14 +94,16 @@ impl Reader<'_> {
         all
     }
 
-    fn file(&mut self, statements: &[&Placed], settings: &InFile, program: &mut Program) {
+    fn all(&mut self, statements: &[Placed], settings: &InForceAt, program: &mut Program) {
         let mut elbow = None;
-        for placed in statements {
+        for (number, placed) in statements.iter().enumerate() {
             match &placed.statement {
                 Statement::ElbowDown(down) => elbow = Some(*down),
-                Statement::Call(callee, handed) => self.handed(callee, handed, placed, settings, program),
+                Statement::Call(callee, handed) => {
+                    self.handed(callee, handed, placed, &settings.at(number, placed, program));
+                }
                 Statement::Motion(motion) => {
-                    let setting = settings.at(placed.span.start, placed.scope.0, placed.span, program);
+                    let setting = settings.at(number, placed, program);
                     self.motion(motion, placed, setting, elbow.take(), program);
                 }
                 _ => {}
@@ -113,21 +112,12 @@ impl Reader<'_> {
     }
 
     /// A location that is handed to a program, which may go there.
-    fn handed(
-        &mut self,
-        callee: &str,
-        handed: &[Option<Name>],
-        placed: &Placed,
-        settings: &InFile,
-        program: &mut Program,
-    ) {
+    fn handed(&mut self, callee: &str, handed: &[Option<Name>], placed: &Placed, setting: &Setting) {
         for name in handed.iter().flatten() {
             let Found::Values(found) = self.values.find(name, placed.scope) else { continue };
             for index in found {
-                let setting = settings.at(placed.span.start, placed.scope.0, placed.span, program);
                 let reason = format!("handed to the program `{callee}`");
-                let one = a_use("CALL", crate::program::target::PathKind::Other, placed, setting, Some(reason));
-                self.to_value(index, one, None);
+                self.to_value(index, a_use("CALL", PathKind::Other, placed, setting.clone(), Some(reason)), None);
             }
         }
     }
@@ -165,14 +155,7 @@ impl Reader<'_> {
         }
     }
 
-    fn location(
-        &mut self,
-        goal: &Expression,
-        scope: Scope,
-        mut one: Use,
-        elbow: Option<bool>,
-        program: &mut Program,
-    ) {
+    fn location(&mut self, goal: &Expression, scope: Scope, mut one: Use, elbow: Option<bool>, program: &mut Program) {
         let source = &self.sources[scope.0];
         let text = source.text(goal.span);
         let unwritten = |this: &mut Self, reason: &str, one| {
@@ -209,7 +192,9 @@ impl Reader<'_> {
                 one.frame = compound_frame(&one, shown.trim_end_matches('+').trim_end(), pose, program);
                 match last {
                     Term::Name(name) => match self.values.find(name, scope) {
-                        Found::Values(all) => all.into_iter().for_each(|index| self.to_value(index, one.clone(), elbow)),
+                        Found::Values(all) => {
+                            all.into_iter().for_each(|index| self.to_value(index, one.clone(), elbow))
+                        }
                         Found::Unknown(reason, _) => unwritten(self, &reason, one),
                     },
                     Term::Trans(span, numbers) => match literal_numbers(source, scope.0, "", *span, numbers, false) {
@@ -258,13 +243,7 @@ impl Reader<'_> {
     }
 }
 
-fn a_use(
-    word: &str,
-    path: crate::program::target::PathKind,
-    placed: &Placed,
-    setting: Setting,
-    computed: Option<String>,
-) -> Use {
+fn a_use(word: &str, path: PathKind, placed: &Placed, setting: Setting, computed: Option<String>) -> Use {
     Use {
         file: placed.scope.0,
         span: placed.span,

@@ -1,33 +1,37 @@
 //! `TOOL`, `BASE` and `WEIGHT`: what is in force at a motion.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
+use std::sync::Arc;
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
 use crate::base::units::m_from_mm;
 use crate::geometry::pose::Pose;
-use crate::program::selection::{InForce, Selections};
+use crate::program::flow::{State, Step, follow};
 use crate::program::target::{Definition, FrameData, LoadData, Program, Reference, ToolData};
 
 use super::assignment::Placed;
 use super::expression::{Expression, pose_numbers};
 use super::section::Body;
-use super::statement::Statement;
+use super::statement::{Statement, Way};
 use super::value::Values;
 
 /// Names under which the selections of the system data are filed; no variable is spelled so.
 const SYSTEM_TOOL: &str = "TOOL of the system data";
 const SYSTEM_BASE: &str = "BASE of the system data";
 
-/// The selections of one file.
+const TOOL: usize = 0;
+const BASE: usize = 1;
+const WEIGHT: usize = 2;
+
+/// What every statement of a job finds selected.
 #[derive(Debug, Default)]
-pub(super) struct InFile {
-    tools: Selections,
-    bases: Selections,
-    weights: Selections,
-    joins: Vec<usize>,
+pub(super) struct InForceAt {
+    /// By number of the statement.
+    states: Vec<Option<Arc<State<3>>>>,
+    /// What a program finds that selects nothing before, by kind.
+    before: [Reference; 3],
     loads: HashMap<String, LoadData>,
-    selects_tool: bool,
 }
 
 /// What is in force at a place.
@@ -69,115 +73,152 @@ pub(super) fn frame(program: &mut Program, file: usize, span: Span, name: &str, 
     program.frames.insert(Program::key(name), Definition { file, span, value });
 }
 
-impl InFile {
-    /// Follows the statements of a file.
+impl InForceAt {
+    /// Follows the programs of a job.
     pub fn of(
-        file: usize,
-        source: &Source,
-        bodies: &[Body],
-        statements: &[&Placed],
+        sources: &[Source],
+        bodies: &[Vec<Body>],
+        statements: &[Placed],
         values: &Values,
         program: &mut Program,
     ) -> Self {
-        let mut found = Self::default();
-        let quiet = quiet(bodies, statements);
-        let mut current = None;
+        let mut found = Self { states: vec![None; statements.len()], ..Self::default() };
+        let mut first_of_file = Vec::new();
+        let mut routines = 0;
+        for programs in bodies {
+            first_of_file.push(routines);
+            routines += programs.len();
+        }
+        let named = |(at, body): (usize, &Body)| (body.name.clone(), at);
+        let by_name: HashMap<String, usize> = bodies.iter().flatten().enumerate().map(named).collect();
+        let mut steps: Vec<Vec<Way>> = vec![Vec::new(); routines];
+        let mut places = Vec::with_capacity(statements.len());
+        let mut selections: [Vec<Reference>; 3] = Default::default();
         for placed in statements {
-            let offset = placed.span.start;
-            if current != Some(placed.scope) {
-                // A program starts with whatever was selected last, perhaps by itself.
-                found.joins.push(offset);
-                current = Some(placed.scope);
-            }
-            match &placed.statement {
+            let source = &sources[placed.scope.0];
+            let routine = first_of_file[placed.scope.0] + placed.scope.1;
+            let set = match &placed.statement {
                 Statement::Tool(expression) => {
                     let (selected, pose) = selected(source, placed, expression, values, "tool");
                     if let (Reference::Named(name), Some(pose)) = (&selected, pose) {
-                        tool(program, file, placed.span, name, pose, None);
+                        tool(program, placed.scope.0, placed.span, name, pose, None);
                     }
-                    found.tools.push(offset, selected);
-                    found.selects_tool = true;
+                    Some((TOOL, selected))
                 }
                 Statement::Base(expression) => {
                     let (selected, pose) = selected(source, placed, expression, values, "base");
                     if let (Reference::Named(name), Some(pose)) = (&selected, pose) {
-                        frame(program, file, placed.span, name, pose);
+                        frame(program, placed.scope.0, placed.span, name, pose);
                     }
-                    found.bases.push(offset, selected);
+                    Some((BASE, selected))
                 }
-                Statement::Weight(numbers) => found.weight(source, placed, numbers.as_deref()),
-                Statement::Join => found.joins.push(offset),
-                Statement::Call(callee, _) if !quiet.contains(callee.as_str()) => found.joins.push(placed.span.end),
-                _ => {}
-            }
+                Statement::Weight(numbers) => Some((WEIGHT, found.weight(source, placed, numbers.as_deref()))),
+                _ => None,
+            };
+            let step = match (&placed.statement, set) {
+                (_, Some((kind, selected))) => {
+                    selections[kind].push(selected.clone());
+                    Step::Sets(vec![(kind, selected)])
+                }
+                (Statement::Flow(way), _) => way.clone(),
+                (Statement::Call(callee, _), _) => {
+                    by_name.get(callee).map_or(Step::Plain, |callee| Step::Calls(*callee))
+                }
+                _ => Step::Plain,
+            };
+            places.push((routine, steps[routine].len()));
+            steps[routine].push(step);
+        }
+        steps.iter_mut().for_each(|steps| pair_blocks(steps));
+        let states = follow(&steps);
+        let state = |&(routine, step): &(usize, usize)| Some(Arc::clone(states.get(routine)?.get(step)?));
+        found.states = places.iter().map(state).collect();
+        let system_tool = system(program.tools.contains_key(&Program::key(SYSTEM_TOOL)), SYSTEM_TOOL);
+        let system_base = system(program.frames.contains_key(&Program::key(SYSTEM_BASE)), SYSTEM_BASE);
+        found.before = [(TOOL, system_tool), (BASE, system_base), (WEIGHT, Reference::Unnamed)]
+            .map(|(kind, system)| before(&selections[kind], system, kind));
+        let first = statements.iter().find(|placed| matches!(placed.statement, Statement::Weight(Some(_))));
+        if let Some(first) = first.filter(|_| selections[TOOL].is_empty()) {
+            let message = "a load is set, and no tool in the job: the load of the cell file or model is used";
+            program.diagnostics.push(Diagnostic::note("weight-not-used", message).at(first.scope.0, first.span, ""));
         }
         found
     }
 
-    fn weight(&mut self, source: &Source, placed: &Placed, numbers: Option<&[f64]>) {
+    fn weight(&mut self, source: &Source, placed: &Placed, numbers: Option<&[f64]>) -> Reference {
         let line = source.line(placed.span.start);
-        let name = format!("WEIGHT in line {line}");
-        let selected = match numbers {
+        match numbers {
             None => Reference::Runtime(format!("the load is computed in line {line}")),
             Some([mass_kg, x, y, z, ..]) if *mass_kg >= 0.0 => {
+                let name = format!("WEIGHT {mass_kg},{x},{y},{z}");
                 let center_of_mass_m = [m_from_mm(*x), m_from_mm(*y), m_from_mm(*z)];
                 self.loads.insert(name.clone(), LoadData { mass_kg: *mass_kg, center_of_mass_m });
                 Reference::Named(name.into())
             }
             Some(_) => Reference::Unnamed,
-        };
-        self.weights.push(placed.span.start, selected);
+        }
     }
 
-    /// What is in force at a byte offset; defines the tool with its load in `program`.
-    pub fn at(&self, offset: usize, file: usize, span: Span, program: &mut Program) -> Setting {
-        let tool_reference = match self.tools.at(offset, &self.joins) {
-            InForce::Known(selected) => selected.clone(),
-            InForce::Open => open("tools"),
-            InForce::Nothing => system(program.tools.contains_key(&Program::key(SYSTEM_TOOL)), SYSTEM_TOOL),
+    /// What is in force at a statement; defines the tool with its load in `program`.
+    pub fn at(&self, number: usize, placed: &Placed, program: &mut Program) -> Setting {
+        let state = self.states.get(number).and_then(Option::as_ref);
+        let get = |kind: usize| match state.map(|state| state.get(kind)) {
+            None | Some(Reference::Unnamed) => self.before[kind].clone(),
+            Some(selected) => selected.clone(),
         };
-        let base = match self.bases.at(offset, &self.joins) {
-            InForce::Known(selected) => selected.clone(),
-            InForce::Open => open("bases"),
-            InForce::Nothing => system(program.frames.contains_key(&Program::key(SYSTEM_BASE)), SYSTEM_BASE),
-        };
-        let weight = match self.weights.at(offset, &self.joins) {
-            InForce::Known(selected) => selected.clone(),
-            InForce::Open => open("loads"),
-            InForce::Nothing => Reference::Unnamed,
-        };
-        match &weight {
-            Reference::Runtime(_) => Setting { tool: tool_reference, base, load: weight },
-            Reference::Unnamed => Setting { tool: tool_reference, base, load: Reference::Unnamed },
-            Reference::Named(name) => {
-                let tool = self.loaded(&tool_reference, name, file, span, program);
+        let (tool, base) = (get(TOOL), get(BASE));
+        match get(WEIGHT) {
+            Reference::Unnamed => Setting { tool, base, load: Reference::Unnamed },
+            Reference::Named(weight) => {
+                let tool = self.loaded(&tool, &weight, placed, program);
                 Setting { tool, base, load: Reference::Unnamed }
             }
+            unknown => Setting { tool, base, load: unknown },
         }
     }
 
     /// The tool with a load: the load counts where the job has the tool's pose; else the cell file gives both.
-    fn loaded(&self, reference: &Reference, weight: &str, file: usize, span: Span, program: &mut Program) -> Reference {
+    fn loaded(&self, reference: &Reference, weight: &str, placed: &Placed, program: &mut Program) -> Reference {
         let Reference::Named(name) = reference else { return reference.clone() };
-        let known = program.tools.get(&Program::key(name)).and_then(|tool| tool.value.as_ref().ok());
-        let (Some(known), Some(load)) = (known, self.loads.get(weight)) else { return reference.clone() };
-        let name = format!("{name}, {weight}");
-        tool(program, file, span, &name, known.pose, Some(*load));
-        Reference::Named(name.into())
-    }
-
-    /// What to know of loads that are not used.
-    pub fn check(&self, file: usize, statements: &[&Placed], program: &mut Program) {
-        let first = statements.iter().find(|placed| matches!(placed.statement, Statement::Weight(Some(_))));
-        if let Some(first) = first.filter(|_| !self.selects_tool) {
-            let message = "a load is set, and no tool in the job: the load of the cell file or model is used";
-            program.diagnostics.push(Diagnostic::note("weight-not-used", message).at(file, first.span, ""));
+        let loaded = format!("{name}, {weight}");
+        if !program.tools.contains_key(&Program::key(&loaded)) {
+            let known = program.tools.get(&Program::key(name)).and_then(|tool| tool.value.as_ref().ok());
+            let (Some(known), Some(load)) = (known, self.loads.get(weight)) else { return reference.clone() };
+            tool(program, placed.scope.0, placed.span, &loaded, known.pose, Some(*load));
         }
+        Reference::Named(loaded.into())
     }
 }
 
-fn open(what: &str) -> Reference {
-    Reference::Runtime(format!("several {what} are selected, and which holds here depends on the way"))
+/// What holds before the first selection: what the controller was left with. That can be any of the job's own, when it
+/// selects at all; else it is what the save says.
+fn before(selections: &[Reference], system: Reference, kind: usize) -> Reference {
+    let Some((first, others)) = selections.split_first() else { return system };
+    if others.iter().all(|other| other == first) {
+        return first.clone();
+    }
+    let what = ["tool", "base", "load"][kind];
+    Reference::Runtime(format!("no {what} is selected on the way here: what the last program left holds"))
+}
+
+/// `END` ends whichever block is open.
+fn pair_blocks(steps: &mut [Way]) {
+    let mut open = Vec::new();
+    for step in steps {
+        match step {
+            Step::If | Step::Switch => open.push(false),
+            Step::Loop => open.push(true),
+            Step::EndLoop => {
+                open.pop();
+            }
+            Step::EndBranches => match open.pop() {
+                Some(true) => *step = Step::EndLoop,
+                Some(false) => {}
+                None => *step = Step::Plain,
+            },
+            _ => {}
+        }
+    }
 }
 
 fn system(known: bool, name: &str) -> Reference {
@@ -206,34 +247,4 @@ fn selected(
         Err((_, true)) => (Reference::Named(shown.into()), None),
         Err((reason, false)) => (Reference::Runtime(format!("the {what} is set in line {line}: {reason}")), None),
     }
-}
-
-/// Programs that select nothing, neither themselves nor through what they call.
-fn quiet<'a>(bodies: &'a [Body], statements: &[&Placed]) -> HashSet<&'a str> {
-    let mut callers: HashMap<&str, Vec<usize>> = HashMap::new();
-    let here: HashSet<&str> = bodies.iter().map(|body| body.name.as_str()).collect();
-    let mut found = vec![false; bodies.len()];
-    let mut open = Vec::new();
-    for placed in statements {
-        let program = placed.scope.1;
-        let selects = match &placed.statement {
-            Statement::Tool(_) | Statement::Base(_) | Statement::Weight(_) => true,
-            Statement::Call(callee, _) => {
-                callers.entry(callee).or_default().push(program);
-                !here.contains(callee.as_str())
-            }
-            _ => false,
-        };
-        if selects && !std::mem::replace(&mut found[program], true) {
-            open.push(program);
-        }
-    }
-    while let Some(program) = open.pop() {
-        for &caller in callers.get(bodies[program].name.as_str()).into_iter().flatten() {
-            if !std::mem::replace(&mut found[caller], true) {
-                open.push(caller);
-            }
-        }
-    }
-    bodies.iter().zip(found).filter(|(_, selects)| !*selects).map(|(body, _)| body.name.as_str()).collect()
 }

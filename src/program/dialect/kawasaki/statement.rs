@@ -1,12 +1,16 @@
 //! Statements: what each line of a program does to targets, tools and bases.
 
 use crate::base::text::Span;
+use crate::program::flow::Step;
 use crate::program::number::number_at;
 use crate::program::scan::Cursor;
 
 use super::expression::{Expression, Name, name, number};
 use super::motion::{Motion, motion};
 use super::section::{is_name_part, lower};
+
+/// A step of the program that selects nothing: tool, base and load are followed together.
+pub(super) type Way = Step<3>;
 
 /// A statement that matters.
 #[derive(Clone, Debug)]
@@ -27,17 +31,19 @@ pub(super) enum Statement {
     Weight(Option<Vec<f64>>),
     /// `ABOVE` (false) and `BELOW` (true): for the next motion.
     ElbowDown(bool),
-    /// Other ways come in here.
-    Join,
+    /// Where ways part and meet. Calls are apart.
+    Flow(Way),
 }
 
-/// Reads one line of a program. Lines that do none of this give `None`.
-pub(super) fn statement(bytes: &[u8], line: Span) -> Option<Statement> {
+/// Reads one line of a program: its label, and what it does if it is one of these.
+pub(super) fn statements(bytes: &[u8], line: Span) -> impl Iterator<Item = Statement> {
     let mut cursor = Cursor::new(bytes, line);
     cursor.skip_blanks();
-    if label(&mut cursor) && cursor.at_end() {
-        return Some(Statement::Join);
-    }
+    let label = label(&mut cursor).then_some(Statement::Flow(Step::Label));
+    label.into_iter().chain(statement(cursor, line))
+}
+
+fn statement(mut cursor: Cursor<'_>, line: Span) -> Option<Statement> {
     let start = cursor.offset();
     let word = lower(cursor.slice(cursor.clone().skip_while(is_name_part))).to_uppercase();
     cursor.skip_while(is_name_part);
@@ -91,11 +97,27 @@ pub(super) fn statement(bytes: &[u8], line: Span) -> Option<Statement> {
         }
         "ABOVE" => Some(Statement::ElbowDown(false)),
         "BELOW" => Some(Statement::ElbowDown(true)),
-        "ELSE" | "ELSEIF" | "END" | "FOR" | "WHILE" | "DO" | "UNTIL" | "VALUE" | "SVALUE" | "ANY" => {
-            Some(Statement::Join)
-        }
-        _ => None,
+        _ => flow(&word, &cursor).map(Statement::Flow),
     }
+}
+
+fn flow(word: &str, cursor: &Cursor<'_>) -> Option<Way> {
+    Some(match word {
+        // `IF x GOTO 10` opens no block.
+        "IF" if cursor.rest().to_ascii_uppercase().ends_with(b"THEN") => Step::If,
+        "ELSE" => Step::Else,
+        "ELSEIF" => Step::Branch,
+        "CASE" | "SCASE" => Step::Switch,
+        "VALUE" | "SVALUE" => Step::Branch,
+        "ANY" => Step::Else,
+        "FOR" | "WHILE" | "DO" => Step::Loop,
+        // Both kinds of blocks end with `END`: which one is meant is found where they are counted.
+        "END" => Step::EndBranches,
+        "UNTIL" => Step::EndLoop,
+        "RETURN" => Step::Return,
+        "GOTO" if !cursor.rest().to_ascii_uppercase().windows(4).any(|word| word == b" IF ") => Step::Jump,
+        _ => return None,
+    })
 }
 
 /// Skips `10 ` or `name:` at the start of a statement.
@@ -104,7 +126,8 @@ fn label(cursor: &mut Cursor<'_>) -> bool {
     let word = cursor.skip_while(is_name_part);
     let numbered = !word.is_empty() && cursor.slice(word).iter().all(u8::is_ascii_digit);
     cursor.skip_blanks();
-    let colon = !word.is_empty() && cursor.eat(b':');
+    let others = cursor.slice(word).eq_ignore_ascii_case(b"ANY");
+    let colon = !word.is_empty() && !others && cursor.eat(b':');
     cursor.skip_blanks();
     if numbered || colon {
         return true;
@@ -119,7 +142,8 @@ pub(super) fn system_data(bytes: &[u8], line: Span) -> Option<(String, Vec<f64>)
     cursor.skip_blanks();
     let word = lower(cursor.slice(cursor.clone().skip_while(is_name_part))).to_uppercase();
     cursor.skip_while(is_name_part);
-    let known = word == "BASE" || word.strip_prefix("TOOL").is_some_and(|rest| rest.bytes().all(|b| b.is_ascii_digit()));
+    let known =
+        word == "BASE" || word.strip_prefix("TOOL").is_some_and(|rest| rest.bytes().all(|b| b.is_ascii_digit()));
     if !known {
         return None;
     }

@@ -3,9 +3,7 @@
 use std::collections::HashMap;
 
 use crate::base::text::Span;
-use crate::program::target::{
-    Configuration, Displacement, DisplacementKind, Program, Target, TargetValue, Units, Use,
-};
+use crate::program::target::{Configuration, Displacement, DisplacementKind, Program, Target, TargetValue, Units, Use};
 
 use super::expression::Number;
 use super::value::Value;

@@ -74,7 +74,8 @@ impl Values {
         }
         let span = Span::new(name.span.start, numbers.last().map_or(name.span.end, |last| last.span.end));
         let (value, external_axes) = written(numbers, name.base.starts_with('#'));
-        let computed = matches!(value, TargetValue::Unwritten).then(|| "its line holds fewer than six numbers".to_owned());
+        let computed =
+            matches!(value, TargetValue::Unwritten).then(|| "its line holds fewer than six numbers".to_owned());
         if computed.is_some() {
             let message = format!("`{}` has fewer than six numbers", source.text(name.span));
             program.diagnostics.push(Diagnostic::error("broken-location", message).at(file, span, ""));
@@ -155,9 +156,7 @@ impl Values {
             let factor = match term {
                 Term::Null => Pose::identity(),
                 Term::Trans(_, numbers) => trans(numbers).ok_or_else(|| unknown("it is computed"))?,
-                Term::Turn(axis, angle) => {
-                    turn(*axis, angle.value().ok_or_else(|| unknown("it is computed"))?)
-                }
+                Term::Turn(axis, angle) => turn(*axis, angle.value().ok_or_else(|| unknown("it is computed"))?),
                 Term::Name(name) => self.named_pose(name, scope, terms.len() == 1)?,
                 Term::Joints(..) | Term::Shift(..) | Term::Frame(_) => return Err(unknown("it is computed")),
             };
@@ -171,7 +170,8 @@ impl Values {
             Found::Unknown(reason, cell) => Err((format!("`{}`: {reason}", name.key()), cell && alone)),
             Found::Values(_) => {
                 let value = self.single(name, scope);
-                let value = value.ok_or_else(|| (format!("`{}` has an index known only at run time", name.key()), false))?;
+                let value =
+                    value.ok_or_else(|| (format!("`{}` has an index known only at run time", name.key()), false))?;
                 match (&value.value, &value.computed) {
                     (_, Some(reason)) => Err((format!("`{}`: {reason}", name.key()), false)),
                     (TargetValue::Cartesian(numbers), None) => {
