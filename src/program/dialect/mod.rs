@@ -12,6 +12,7 @@ mod kawasaki;
 mod krl;
 mod rapid;
 mod urscript;
+mod val3;
 
 /// Every language that the tool reads.
 pub const DIALECTS: &[&dyn Dialect] = &[
@@ -22,6 +23,7 @@ pub const DIALECTS: &[&dyn Dialect] = &[
     &krl::Krl,
     &urscript::UrScript,
     &kawasaki::Kawasaki,
+    &val3::Val3,
 ];
 
 /// What there is to know about a language without reading a program.

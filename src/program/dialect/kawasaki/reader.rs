@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
 use crate::geometry::pose::Pose;
+use crate::program::gather::Gathered;
 use crate::program::target::{DisplacementKind, PathKind, Program, Reference, TargetValue, Use};
 
 use super::assignment::{Placed, apply};
@@ -13,8 +14,8 @@ use super::motion::{Goal, Motion};
 use super::section::{Body, sections};
 use super::selection::{InForceAt, Setting, define_system, frame};
 use super::statement::{Statement, statements as statements_of, system_data};
-use super::target::{Displaced, Targets, three};
-use super::value::{Found, Scope, Values, literal, literal_numbers};
+use super::target::{Displaced, of_value, three};
+use super::value::{Found, Scope, Value, Values, literal, literal_numbers};
 
 /// The work piece coordinates of block steps that are the base's own.
 const NO_WORK: &str = "0";
@@ -51,7 +52,7 @@ pub(super) fn read(sources: &[Source]) -> Program {
     frame(&mut program, 0, Span::default(), NO_WORK, Pose::identity());
     let kept = apply(sources, &bodies, &statements, &mut values);
     let mut reader =
-        Reader { sources, values: &values, kept: &kept, reached: HashSet::new(), targets: Targets::default() };
+        Reader { sources, values: &values, kept: &kept, reached: HashSet::new(), targets: Gathered::default() };
     reader.reached = reader.reached(&statements);
     let settings = InForceAt::of(sources, &bodies, &statements, &values, &mut program);
     reader.all(&statements, &settings, &mut program);
@@ -77,7 +78,7 @@ struct Reader<'a> {
     kept: &'a HashMap<usize, String>,
     /// Values that some motion goes to as they are.
     reached: HashSet<usize>,
-    targets: Targets,
+    targets: Gathered,
 }
 
 impl Reader<'_> {
@@ -135,7 +136,7 @@ impl Reader<'_> {
         match &motion.goal {
             Goal::Relative(span) => {
                 let reason = "onwards from where the arm stands".to_owned();
-                self.targets.to_unwritten(&source.text(*span), *span, reason, one);
+                self.targets.unwritten(&source.text(*span), *span, reason, one);
             }
             Goal::Block { span, joints, tool, work } => {
                 let named = |number: &Option<String>| match number {
@@ -144,10 +145,10 @@ impl Reader<'_> {
                 };
                 (one.tool, one.frame) = (named(tool), named(work));
                 match literal_numbers(source, placed.scope.0, "", *span, joints, true) {
-                    Some(value) => self.targets.to_literal(&value, one, elbow),
+                    Some(value) => self.to_literal(&value, one, elbow),
                     None => {
                         let reason = "its joint values are not six numbers".to_owned();
-                        self.targets.to_unwritten(&source.text(*span), *span, reason, one);
+                        self.targets.unwritten(&source.text(*span), *span, reason, one);
                     }
                 }
             }
@@ -159,7 +160,7 @@ impl Reader<'_> {
         let source = &self.sources[scope.0];
         let text = source.text(goal.span);
         let unwritten = |this: &mut Self, reason: &str, one| {
-            this.targets.to_unwritten(&text, goal.span, reason.to_owned(), one);
+            this.targets.unwritten(&text, goal.span, reason.to_owned(), one);
         };
         let Some(terms) = goal.terms.as_deref() else { return unwritten(self, "it is computed", one) };
         if let [Term::Name(name)] = terms {
@@ -169,10 +170,11 @@ impl Reader<'_> {
             };
         }
         if let Some(value) = literal(source, scope.0, "", goal) {
-            return self.targets.to_literal(&value, one, elbow);
+            return self.to_literal(&value, one, elbow);
         }
-        if let Some((base, span, displaced)) = self.displaced(terms, scope, &text) {
-            return self.targets.to_displaced(base, span, displaced, one);
+        if let Some(displaced) = self.displaced(terms, scope) {
+            self.targets.inline(displaced.target(&text, one));
+            return;
         }
         // `frame+p`: the last part seen from a constant frame that no motion goes to.
         let Some((last, before)) = terms.split_last().filter(|(_, before)| !before.is_empty()) else {
@@ -198,7 +200,7 @@ impl Reader<'_> {
                         Found::Unknown(reason, _) => unwritten(self, &reason, one),
                     },
                     Term::Trans(span, numbers) => match literal_numbers(source, scope.0, "", *span, numbers, false) {
-                        Some(value) => self.targets.to_literal(&value, one, elbow),
+                        Some(value) => self.to_literal(&value, one, elbow),
                         None => unwritten(self, "it has not six numbers", one),
                     },
                     _ => unwritten(self, "it is computed", one),
@@ -208,7 +210,7 @@ impl Reader<'_> {
     }
 
     /// `p+TRANS(x,y,z)` and `SHIFT(p BY x,y,z)` of a location that a motion goes to as it is.
-    fn displaced(&self, terms: &[Term], scope: Scope, text: &str) -> Option<(usize, Span, Displaced)> {
+    fn displaced(&self, terms: &[Term], scope: Scope) -> Option<Displaced> {
         let (name, span, kind, numbers, rotation) = match terms {
             [Term::Name(name), Term::Trans(span, numbers)] => {
                 (name, *span, DisplacementKind::Tool, numbers, trans(numbers)?.rotation)
@@ -228,7 +230,7 @@ impl Reader<'_> {
         if !movable || !matches!(value.value, TargetValue::Cartesian(_)) {
             return None;
         }
-        Some((base, span, Displaced { kind, position: three(numbers)?, rotation, shown: text.to_owned() }))
+        Some(Displaced { base, span, kind, position: three(numbers)?, rotation })
     }
 
     fn goes_to(&self, name: &Name, scope: Scope) -> bool {
@@ -239,7 +241,20 @@ impl Reader<'_> {
     }
 
     fn to_value(&mut self, index: usize, one: Use, elbow: Option<bool>) {
-        self.targets.to_value(index, &self.values.all[index], self.kept.get(&index), one, elbow);
+        let value = &self.values.all[index];
+        let make = || of_value(value, self.kept.get(&index), Some(value.shown.clone()));
+        let target = self.targets.to_key(index, one, make);
+        // Only what is asked for at every use is asked for.
+        let first = target.uses.len() == 1;
+        if first || target.configuration.elbow_down != elbow {
+            target.configuration.elbow_down = elbow.filter(|_| first);
+        }
+    }
+
+    fn to_literal(&mut self, value: &Value, one: Use, elbow: Option<bool>) {
+        let target = self.targets.inline(of_value(value, None, None));
+        target.configuration.elbow_down = elbow;
+        target.uses.push(one);
     }
 }
 
