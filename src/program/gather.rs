@@ -30,6 +30,11 @@ impl Gathered {
         &mut self.made[slot]
     }
 
+    /// True when a move goes to the position with this number.
+    pub fn has(&self, key: usize) -> bool {
+        self.by_key.contains_key(&key)
+    }
+
     /// Adds a target that stands in its move.
     pub fn inline(&mut self, target: Target) -> &mut Target {
         self.made.push(target);

@@ -11,6 +11,7 @@ mod inform;
 mod kawasaki;
 mod krl;
 mod rapid;
+mod spel;
 mod urscript;
 mod val3;
 
@@ -24,6 +25,7 @@ pub const DIALECTS: &[&dyn Dialect] = &[
     &urscript::UrScript,
     &kawasaki::Kawasaki,
     &val3::Val3,
+    &spel::Spel,
 ];
 
 /// What there is to know about a language without reading a program.

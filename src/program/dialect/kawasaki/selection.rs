@@ -7,7 +7,7 @@ use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
 use crate::base::units::m_from_mm;
 use crate::geometry::pose::Pose;
-use crate::program::flow::{State, Step, follow};
+use crate::program::flow::{State, Step, follow, left_over};
 use crate::program::target::{Definition, FrameData, LoadData, Program, Reference, ToolData};
 
 use super::assignment::Placed;
@@ -135,8 +135,11 @@ impl InForceAt {
         found.states = places.iter().map(state).collect();
         let system_tool = system(program.tools.contains_key(&Program::key(SYSTEM_TOOL)), SYSTEM_TOOL);
         let system_base = system(program.frames.contains_key(&Program::key(SYSTEM_BASE)), SYSTEM_BASE);
-        found.before = [(TOOL, system_tool), (BASE, system_base), (WEIGHT, Reference::Unnamed)]
-            .map(|(kind, system)| before(&selections[kind], system, kind));
+        found.before = [
+            left_over(&selections[TOOL], system_tool, "tool"),
+            left_over(&selections[BASE], system_base, "base"),
+            left_over(&selections[WEIGHT], Reference::Unnamed, "load"),
+        ];
         let first = statements.iter().find(|placed| matches!(placed.statement, Statement::Weight(Some(_))));
         if let Some(first) = first.filter(|_| selections[TOOL].is_empty()) {
             let message = "a load is set, and no tool in the job: the load of the cell file or model is used";
@@ -188,17 +191,6 @@ impl InForceAt {
         }
         Reference::Named(loaded.into())
     }
-}
-
-/// What holds before the first selection: what the controller was left with. That can be any of the job's own, when it
-/// selects at all; else it is what the save says.
-fn before(selections: &[Reference], system: Reference, kind: usize) -> Reference {
-    let Some((first, others)) = selections.split_first() else { return system };
-    if others.iter().all(|other| other == first) {
-        return first.clone();
-    }
-    let what = ["tool", "base", "load"][kind];
-    Reference::Runtime(format!("no {what} is selected on the way here: what the last program left holds"))
 }
 
 /// `END` ends whichever block is open.
