@@ -6,6 +6,7 @@
 pub mod decimal;
 pub mod dialect;
 pub mod flow;
+pub mod gather;
 pub mod number;
 pub mod scan;
 pub mod selection;

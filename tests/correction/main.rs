@@ -8,6 +8,7 @@ mod kuka_status;
 mod random_programs;
 mod shipped;
 mod spoil;
+mod staubli_config;
 
 /// How near the corrected program lands: position.
 const LANDS_WITHIN_M: f64 = 2e-6;

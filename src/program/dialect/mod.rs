@@ -9,13 +9,25 @@ use super::ties::Ties;
 mod fanuc;
 mod hyundai;
 mod inform;
+mod kawasaki;
 mod krl;
 mod rapid;
+mod spel;
 mod urscript;
+mod val3;
 
 /// Every language that the tool reads.
-pub const DIALECTS: &[&dyn Dialect] =
-    &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform, &krl::Krl, &urscript::UrScript];
+pub const DIALECTS: &[&dyn Dialect] = &[
+    &rapid::Rapid,
+    &hyundai::Hyundai,
+    &fanuc::Fanuc,
+    &inform::Inform,
+    &krl::Krl,
+    &urscript::UrScript,
+    &kawasaki::Kawasaki,
+    &val3::Val3,
+    &spel::Spel,
+];
 
 /// What there is to know about a language without reading a program.
 #[derive(Clone, Copy, Debug)]
