@@ -4,8 +4,9 @@ use nalgebra::DMatrix;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 
-use super::fitted::Fitted;
-use super::hold_out::{Blocks, fall_in_errors};
+use crate::identify::problem::Problem;
+
+use super::hold_out::{Blocks, fall_in_errors, held_out_squares_m2};
 use super::projection::Projection;
 
 /// Shuffles of the records.
@@ -15,26 +16,22 @@ const BY_CHANCE: f64 = 0.02;
 /// Standard errors by which held-out residuals must fall.
 const SURE_FALL: f64 = 1.0;
 
-/// True when held-out records improve with `columns` beside `before` (the columns that were taken in since the fit), and
-/// when residuals that are shuffled over the records do not follow the columns.
+/// True when held-out records improve with `columns`, and when residuals that are shuffled over the records do not follow
+/// them.
 pub fn holds(
-    fitted: &Fitted<'_>,
+    problem: &Problem<'_>,
     blocks: &Blocks,
-    before: &[DMatrix<f64>],
     columns: &DMatrix<f64>,
     projection: &Projection,
     random: &mut ChaCha8Rng,
 ) -> bool {
-    let mut taken: Vec<&DMatrix<f64>> = before.iter().collect();
-    let without = fitted.held_out_m2(blocks, None, &taken);
-    taken.push(columns);
-    let with = fitted.held_out_m2(blocks, None, &taken);
-    fall_in_errors(&without, &with) >= SURE_FALL && shuffled(fitted, columns, projection, random) <= BY_CHANCE
+    let without = held_out_squares_m2(problem, blocks, projection);
+    let with = held_out_squares_m2(problem, blocks, &projection.with(columns));
+    fall_in_errors(&without, &with) >= SURE_FALL && shuffled(problem, columns, projection, random) <= BY_CHANCE
 }
 
 /// Part of the shuffles of residuals over records that explain as much (Freedman and Lane 1983).
-fn shuffled(fitted: &Fitted<'_>, columns: &DMatrix<f64>, projection: &Projection, random: &mut ChaCha8Rng) -> f64 {
-    let problem = &fitted.estimate.problem;
+fn shuffled(problem: &Problem<'_>, columns: &DMatrix<f64>, projection: &Projection, random: &mut ChaCha8Rng) -> f64 {
     let firsts = problem.first_rows();
     let probe = projection.probe(columns);
     let true_gain = probe.explained(&projection.residuals);

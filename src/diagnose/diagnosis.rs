@@ -15,9 +15,9 @@ use crate::model::effect::Location;
 
 use super::baseline::baseline;
 use super::evidence;
-use super::fitted::Ground;
+use super::fitted::{Fitted, Ground};
 use super::free::{FreeFunction, Seat};
-use super::hold_out::rms_mm;
+use super::hold_out::{Blocks, held_out_squares_m2, rms_mm};
 use super::left_over::left_over;
 use super::regressors::Regressors;
 use super::search::{Found, search};
@@ -159,9 +159,9 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
         .chain(base.left_out.iter().map(|left| left.id.clone()))
         .collect();
     let before_fit = ground.fit(&[])?;
-    let before_squares = before_fit.held_out_m2(&found.blocks, None, &[]);
+    let before_squares = held_out_m2(&before_fit, &found.blocks, None);
     let before = errors(&before_fit.estimate, rms_mm(&before_squares));
-    let after_squares = found.fitted.held_out_m2(&found.blocks, None, &[]);
+    let after_squares = held_out_m2(&found.fitted, &found.blocks, None);
     let after = errors(&found.fitted.estimate, rms_mm(&after_squares));
     let mut findings = findings(&found, &before_fit.estimate, after.held_out_rms_mm);
     findings.sort_by(|a, b| b.share.total_cmp(&a.share));
@@ -188,6 +188,10 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     })
 }
 
+fn held_out_m2(fitted: &Fitted<'_>, blocks: &Blocks, without: Option<usize>) -> Vec<f64> {
+    held_out_squares_m2(&fitted.estimate.problem, blocks, &fitted.projection(without))
+}
+
 fn errors(estimate: &Estimate<'_>, held_out_rms_mm: f64) -> Errors {
     let lengths = robust::lengths_of(&estimate.problem, &estimate.fit.residuals);
     let nothing = Figures { records: 0, mean_mm: 0.0, rms_mm: 0.0, std_mm: 0.0, max_mm: 0.0, p95_mm: 0.0 };
@@ -204,7 +208,7 @@ fn findings(found: &Found<'_>, before: &Estimate<'_>, held_out_rms_mm: f64) -> V
             let candidate = &fitted.terms[term];
             let review = &found.reviews[term];
             let (values, sigmas) = fitted.values_of(term);
-            let squares = fitted.held_out_m2(&found.blocks, Some(term), &[]);
+            let squares = held_out_m2(fitted, &found.blocks, Some(term));
             let looked_at = evidence::looked_at(candidate.places);
             let gain = &review.gain;
             let explained_m2 = squares_m2(&fitted.estimate, gain.explained);

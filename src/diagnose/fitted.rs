@@ -14,7 +14,6 @@ use crate::model::arm::EffectInstance;
 use crate::model::parameters::ParameterId;
 
 use super::candidate::Candidate;
-use super::hold_out::{Blocks, Regression, held_out_squares_m2};
 use super::projection::Projection;
 use super::regressors::extend;
 
@@ -169,20 +168,5 @@ impl Fitted<'_> {
         let values = span.clone().map(|index| fit.state.get(fit.unknowns[index].id).unwrap_or(0.0));
         let sigmas = span.clone().map(|index| fit.covariance_root.row(index).norm());
         (DVector::from_iterator(span.len(), values), DVector::from_iterator(span.len(), sigmas))
-    }
-
-    /// Held-out squares, m^2, with further columns, or without a term.
-    pub fn held_out_m2(&self, blocks: &Blocks, without: Option<usize>, further: &[&DMatrix<f64>]) -> Vec<f64> {
-        let (columns, sigmas, deviations, residuals) = self.without(without);
-        let extra: usize = further.iter().map(|columns| columns.ncols()).sum();
-        let mut all = columns.clone().resize_horizontally(columns.ncols() + extra, 0.0);
-        let mut next = columns.ncols();
-        for block in further {
-            all.columns_mut(next, block.ncols()).copy_from(block);
-            next += block.ncols();
-        }
-        let regression =
-            Regression { columns: &all, prior_sigmas: &sigmas, deviations: &deviations, residuals: &residuals };
-        held_out_squares_m2(&self.estimate.problem, blocks, &regression)
     }
 }

@@ -120,6 +120,15 @@ impl Projection {
         }
     }
 
+    /// What a fit without these rows leaves there: `(I - H_bb)^-1 r_b`.
+    pub fn held_out(&self, rows: &[usize]) -> DVector<f64> {
+        let own = self.basis.select_rows(rows);
+        let left = self.residuals.select_rows(rows);
+        let inner = DMatrix::identity(rows.len(), rows.len()) - &own * own.transpose();
+        // A number that these rows alone determine cannot be held out: what they leave themselves is all there is.
+        inner.cholesky().map_or(left.clone(), |factor| factor.solve(&left))
+    }
+
     /// What these columns (whitened) explain of the residuals.
     pub fn gain(&self, columns: &DMatrix<f64>) -> Gain {
         self.gain_of(columns, &self.residuals)
@@ -278,6 +287,23 @@ mod tests {
         assert!((gain.values[0] + solved[5]).abs() < 1e-8);
         let further = projection.with(&columns.columns(0, 1).into_owned());
         assert!(further.cost < projection.cost && further.free == 6);
+    }
+
+    #[test]
+    fn held_out_rows_are_those_of_a_fit_without_them() {
+        let free = sample(60, 5, 0.0);
+        let y = DVector::from_fn(60, |i, _| (i as f64 * 1.7).cos());
+        let projection = Projection::new(&free, &[2.0; 5], &y, &[0.0; 5]);
+        let held: Vec<usize> = (12..24).collect();
+        let kept: Vec<usize> = (0..60).filter(|row| !held.contains(row)).collect();
+        let mut stacked = DMatrix::zeros(kept.len() + 5, 5);
+        stacked.rows_mut(0, kept.len()).copy_from(&free.select_rows(&kept));
+        stacked.view_mut((kept.len(), 0), (5, 5)).fill_diagonal(0.5);
+        let mut right = DVector::zeros(kept.len() + 5);
+        right.rows_mut(0, kept.len()).copy_from(&y.select_rows(&kept));
+        let solved = stacked.svd(true, true).solve(&right, 1e-12).expect("factors");
+        let expected = y.select_rows(&held) - free.select_rows(&held) * solved;
+        assert!((projection.held_out(&held) - expected).norm() < 1e-9);
     }
 
     #[test]

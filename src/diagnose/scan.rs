@@ -16,6 +16,9 @@ use super::regressors::Regressors;
 
 /// Highest order: twice a harmonic drive's ratio of 101, with room.
 const HIGHEST_ORDER: f64 = 212.0;
+/// Lowest order that is searched for between whole numbers: the output's own orders are whole, and a shaft before it turns
+/// several times as fast.
+const LOWEST_ORDER: f64 = 3.0;
 /// Points of the grid on one line's width (one over the range in revolutions): a line between two points loses 5 %.
 const POINTS_ON_A_LINE: f64 = 4.0;
 /// Joints that turn less than this part of a revolution show no order.
@@ -151,13 +154,13 @@ fn best_order(
         projection.gain(&regressors.through(&EffectInstance { effect, location })).explained
     };
     let step = 1.0 / (POINTS_ON_A_LINE * range);
-    let count = ((HIGHEST_ORDER - 0.5) / step) as usize;
+    let count = ((HIGHEST_ORDER - LOWEST_ORDER) / step) as usize;
     let (best, _) = (0..count)
         .into_par_iter()
-        .map(|index| 0.5 + step * index as f64)
+        .map(|index| LOWEST_ORDER + step * index as f64)
         .map(|order| (order, explained(order)))
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let found = narrowed((best - step).max(0.25), best + step, explained);
+    let found = narrowed((best - step).max(LOWEST_ORDER), best + step, explained);
     // Independent lines: two for each revolution of the range and whole order, on six joints.
     let places = DOF as f64 * (2.0 * HIGHEST_ORDER * range).max(1.0);
     let rows = projection.rows;

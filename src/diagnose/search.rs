@@ -1,6 +1,5 @@
 //! Which causes are missing: found in turn, refitted together, every one tested again after each.
 
-use nalgebra::DMatrix;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -73,14 +72,6 @@ pub fn search<'a>(ground: &Ground<'a>, kind: Kind, seed: u64) -> Result<Found<'a
     }
 }
 
-/// What one look at the residuals takes in before everything is refitted.
-#[derive(Default)]
-struct Batch {
-    named: Vec<Candidate>,
-    columns: Vec<DMatrix<f64>>,
-    free: usize,
-}
-
 impl<'a> Found<'a> {
     /// What is left beyond everything found, but for one named cause.
     pub fn projection(&self, regressors: &Regressors<'_, '_>, without: Option<usize>) -> Projection {
@@ -94,35 +85,31 @@ impl<'a> Found<'a> {
         let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
         let standing = suspects(&regressors)?;
         let mut projection = self.projection(&regressors, None);
-        let mut batch = Batch::default();
-        batch.columns.extend(self.free.iter().map(|free| free.columns(&regressors)));
-        while self.fitted.terms.len() + batch.named.len() + self.free.len() < MOST_CAUSES {
+        let (mut named, mut grown): (Vec<Candidate>, bool) = (Vec::new(), false);
+        while self.fitted.terms.len() + named.len() + self.free.len() < MOST_CAUSES {
             let mut all = searched(&regressors, &projection);
             let taken = |suspect: &&Suspect| {
                 let Some(candidate) = suspect.candidate() else { return true };
-                !batch.named.iter().any(|known| known.same_as(candidate))
+                !named.iter().any(|known| known.same_as(candidate))
             };
             all.retain(|suspect| taken(&suspect));
             all.extend(standing.iter().filter(taken).cloned());
-            let Some((suspect, part)) = self.next(ground, &all, &projection, &batch, random) else { break };
+            let Some((suspect, part)) = self.next(ground, &all, &projection, named.is_empty(), random) else { break };
             match suspect.cause {
-                Cause::Free(function) => {
-                    self.free.push(function);
-                    batch.free += 1;
-                }
-                Cause::Named(candidate) => batch.named.push(candidate),
+                Cause::Free(function) => self.free.push(function),
+                Cause::Named(candidate) => named.push(candidate),
             }
+            grown = true;
             projection = projection.with(&suspect.columns);
-            batch.columns.push(suspect.columns);
             if part > LARGE {
                 break;
             }
         }
-        if !batch.named.is_empty() {
-            let terms = batch.named.iter().fold(self.fitted.terms.clone(), |terms, one| joined(&terms, one));
+        if !named.is_empty() {
+            let terms = named.iter().fold(self.fitted.terms.clone(), |terms, one| joined(&terms, one));
             self.fitted = ground.refit(&self.fitted, &terms)?;
         }
-        Ok(!batch.named.is_empty() || batch.free > 0)
+        Ok(grown)
     }
 
     /// The cause that holds best, with the part of the remaining squares that it explains.
@@ -131,7 +118,7 @@ impl<'a> Found<'a> {
         ground: &Ground<'a>,
         all: &[Suspect],
         projection: &Projection,
-        batch: &Batch,
+        fresh: bool,
         random: &mut ChaCha8Rng,
     ) -> Option<(Suspect, f64)> {
         let ranked = rank(all, projection);
@@ -158,14 +145,14 @@ impl<'a> Found<'a> {
                 .collect();
             let chosen = match contenders[..] {
                 [only] => Some(only),
-                _ => self.best_of(ground, &worth, &contenders, projection, batch),
+                _ => self.best_of(ground, &worth, &contenders, projection, fresh),
             };
             let Some(chosen) = chosen else {
                 refused.extend(contenders);
                 continue;
             };
             let suspect = worth[chosen].suspect;
-            if holds(&self.fitted, &self.blocks, &batch.columns, &suspect.columns, projection, random) {
+            if holds(&self.fitted.estimate.problem, &self.blocks, &suspect.columns, projection, random) {
                 return Some((suspect.clone(), worth[chosen].gain.explained / projection.cost));
             }
             refused.push(chosen);
@@ -193,13 +180,13 @@ impl<'a> Found<'a> {
         worth: &[&Ranked<'_>],
         contenders: &[usize],
         projection: &Projection,
-        batch: &Batch,
+        fresh: bool,
     ) -> Option<usize> {
         let mut best: Option<(f64, usize)> = None;
         for &index in contenders {
             let evidence = match &worth[index].suspect.cause {
                 // With further causes in the projection the full fit is another problem: the score step decides alone.
-                Cause::Named(candidate) if batch.columns.is_empty() => {
+                Cause::Named(candidate) if fresh && self.free.is_empty() => {
                     let terms = joined(&self.fitted.terms, candidate);
                     self.full_evidence(ground, &terms, worth[index], projection)
                 }
