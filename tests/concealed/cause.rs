@@ -156,7 +156,9 @@ impl Cause {
                 let rest_m = dice.between(0.5, 0.75) * height_m;
                 Self::Balancer { joint: 1, radius_m, height_m, rest_m, start: dice.between(-0.4, 0.4) }
             }
-            "payload_error" => Self::Payload { at_m: setting.payload_m + dice.normals() * 0.3 * setting.payload_m.norm() },
+            "payload_error" => {
+                Self::Payload { at_m: setting.payload_m + dice.normals() * 0.3 * setting.payload_m.norm() }
+            }
             "gravity_tilt" => {
                 let heading = dice.angle();
                 Self::Tilt { about: Vector3::new(heading.cos(), heading.sin(), 0.0) }

@@ -196,9 +196,11 @@ fn justified(spec: &Spec, truth: &Truth, report: &Value, found: &(String, Value)
         return true;
     }
     // Told as one of several, the truth among them.
-    let beside = report["findings"].as_array().into_iter().flatten().find(|one| {
-        one["effect"].as_str() == Some(effect.as_str()) && one["location"] == *location
-    });
+    let beside = report["findings"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .find(|one| one["effect"].as_str() == Some(effect.as_str()) && one["location"] == *location);
     let beside = beside.map(|one| names(&one["alternatives"])).unwrap_or_default();
     truth.concealed.iter().enumerate().any(|(index, one)| {
         let offered = beside.iter().any(|(effect, location)| accepts(&one.cause, effect, location, truth));
@@ -245,7 +247,8 @@ pub fn name_of(cause: &Cause) -> Option<&'static str> {
 fn accepts(cause: &Cause, effect: &str, location: &Value, truth: &Truth) -> bool {
     let at = |key: &str, index: usize| location[key].as_u64() == Some(index as u64 + 1);
     let order = |wanted: f64| location["order"].as_f64().is_some_and(|order| (order - wanted).abs() < 0.1);
-    let frame_is = |frame: Frame| location["frame"].as_str() == Some(if frame == Frame::Base { "base" } else { "tool" });
+    let frame_is =
+        |frame: Frame| location["frame"].as_str() == Some(if frame == Frame::Base { "base" } else { "tool" });
     let lost_motion = matches!(effect, "backlash" | "friction_windup");
     let named = name_of(cause) == Some(effect);
     match *cause {
@@ -255,9 +258,7 @@ fn accepts(cause: &Cause, effect: &str, location: &Value, truth: &Truth) -> bool
         }
         Cause::Periodic { joint, order: wanted, .. } => named && at("joint", joint) && order(wanted),
         // Through a straight spring a balancer is a once-a-turn error of its joint.
-        Cause::Balancer { joint, .. } => {
-            at("joint", joint) && (named || (effect == "joint_periodic" && order(1.0)))
-        }
+        Cause::Balancer { joint, .. } => at("joint", joint) && (named || (effect == "joint_periodic" && order(1.0))),
         Cause::Coupling { joint, source } => named && at("joint", joint) && at("source_joint", source),
         Cause::Beam { link, .. } | Cause::Growth { link } => named && at("link", link),
         Cause::Drift { frame, .. } => named && frame_is(frame),

@@ -22,7 +22,9 @@ pub fn all() -> Vec<Spec> {
     for (moving, count) in [(false, NULLS[0]), (true, NULLS[1])] {
         specs.extend((0..count).map(|_| spec("null", moving, Vec::new(), Vec::new())));
     }
-    for (kinds, moving, count) in [(&STATIC_KINDS[..], false, STATIC_SINGLES), (&MOVING_KINDS[..], true, MOVING_SINGLES)] {
+    for (kinds, moving, count) in
+        [(&STATIC_KINDS[..], false, STATIC_SINGLES), (&MOVING_KINDS[..], true, MOVING_SINGLES)]
+    {
         for kind in kinds {
             for level in LEVELS {
                 specs.extend((0..count).map(|_| spec("single", moving, vec![(*kind, level)], Vec::new())));

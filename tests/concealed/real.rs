@@ -23,7 +23,8 @@ impl Real {
         for (cause, size) in causes {
             match cause {
                 Cause::Tilt { about } => {
-                    real.gravity = UnitQuaternion::from_scaled_axis(arm.bodies[0].rotation * about * *size) * arm.gravity;
+                    real.gravity =
+                        UnitQuaternion::from_scaled_axis(arm.bodies[0].rotation * about * *size) * arm.gravity;
                 }
                 Cause::Payload { at_m } => {
                     let load = &mut real.arm.payload;
@@ -136,7 +137,8 @@ impl Real {
         for (cause, size) in &self.causes {
             if let Cause::Balancer { joint, radius_m, height_m, rest_m, start } = *cause {
                 let energy = |angle: f64| {
-                    let square = radius_m.powi(2) + height_m.powi(2) + 2.0 * radius_m * height_m * (start + angle).cos();
+                    let square =
+                        radius_m.powi(2) + height_m.powi(2) + 2.0 * radius_m * height_m * (start + angle).cos();
                     0.5 * size * (square.sqrt() - rest_m).powi(2)
                 };
                 let step = 1e-4;
@@ -162,7 +164,8 @@ impl Real {
                 shape.turns[joint] += bend_of(spring, self.arm.compliance[joint], size, torques[joint], largest_nm);
             }
             Cause::Backlash { joint, held_nm } => {
-                let flank = if torques[joint].abs() > held_nm { torques[joint].signum() } else { -moment.approach[joint] };
+                let flank =
+                    if torques[joint].abs() > held_nm { torques[joint].signum() } else { -moment.approach[joint] };
                 shape.turns[joint] += 0.5 * size * flank;
             }
             Cause::Inertial { joint } => shape.turns[joint] += size * inertia[joint],
@@ -180,10 +183,13 @@ impl Real {
 
     /// Force and moment about a point of the masses from body `first` on.
     fn beyond(&self, stand: &Stand, first: usize, about: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
-        self.arm.masses(stand)[first..].iter().fold((Vector3::zeros(), Vector3::zeros()), |(force, moment), (mass, at)| {
-            let weight = self.gravity * *mass;
-            (force + weight, moment + (at - about).cross(&weight))
-        })
+        self.arm.masses(stand)[first..].iter().fold(
+            (Vector3::zeros(), Vector3::zeros()),
+            |(force, moment), (mass, at)| {
+                let weight = self.gravity * *mass;
+                (force + weight, moment + (at - about).cross(&weight))
+            },
+        )
     }
 
     /// How the far end of a slender beam moves under force and moment there (Euler and Bernoulli), in its own frame.
@@ -217,7 +223,8 @@ impl Real {
         };
         let at = [-1.0, 0.0, 1.0].map(|side| masses(motion, moment.time_s + side * STEP_S));
         let [Some(before), Some(now), Some(after)] = at else { return [0.0; DOF] };
-        let fields = std::array::from_fn(|index| -(before[index].1 - 2.0 * now[index].1 + after[index].1) / STEP_S.powi(2));
+        let fields =
+            std::array::from_fn(|index| -(before[index].1 - 2.0 * now[index].1 + after[index].1) / STEP_S.powi(2));
         self.arm.torques(&self.arm.drives(&moment.numbers), &Shape::default(), &fields).unwrap_or([0.0; DOF])
     }
 }

@@ -87,7 +87,9 @@ fn power(outcomes: &[Outcome], text: &mut String) {
         }
         text.push('\n');
     }
-    for (words, row) in [("**right**", 0), ("of these told as equivalent", 1), ("**a wrong name**", 2), ("seen, not named", 3)] {
+    for (words, row) in
+        [("**right**", 0), ("of these told as equivalent", 1), ("**a wrong name**", 2), ("seen, not named", 3)]
+    {
         let _ = write!(text, "| {words} |");
         for level in LEVELS {
             let trials: Vec<&Outcome> = singles(level).collect();
@@ -140,6 +142,9 @@ fn recovered(outcomes: &[Outcome], text: &mut String) {
     text.push_str("| --- | --- | --- | --- | --- |\n");
     let mut row = |words: &str, trials: Vec<&Outcome>| {
         let mut values: Vec<f64> = trials.iter().filter_map(|outcome| outcome.recovered).collect();
+        if values.is_empty() {
+            return;
+        }
         let low = values.iter().filter(|value| **value < 0.7).count();
         let (median, tenth) = (quantile(&mut values, 0.5), quantile(&mut values, 0.1));
         let _ = writeln!(text, "| {words} | {} | {median:.2} | {tenth:.2} | {low} |", values.len());
@@ -160,13 +165,24 @@ fn several(outcomes: &[Outcome], text: &mut String) {
         let (k, n) = right(&judged);
         let whole = trials.iter().filter(|outcome| outcome.causes.iter().all(|one| one.fate.right())).count();
         let wrong = trials.iter().filter(|outcome| outcome.alarmed()).count();
-        let _ = writeln!(text, "| {size} | {} | {} | {} |", share(k, n), share(whole, trials.len()), share(wrong, trials.len()));
+        if trials.is_empty() {
+            continue;
+        }
+        let _ = writeln!(
+            text,
+            "| {size} | {} | {} | {} |",
+            share(k, n),
+            share(whole, trials.len()),
+            share(wrong, trials.len())
+        );
     }
     text.push('\n');
 }
 
 fn hardships(outcomes: &[Outcome], text: &mut String) {
-    text.push_str("| hardship (causes at level 2) | nothing concealed: named | right | a wrong name | recovered (median) |\n");
+    text.push_str(
+        "| hardship (causes at level 2) | nothing concealed: named | right | a wrong name | recovered (median) |\n",
+    );
     text.push_str("| --- | --- | --- | --- | --- |\n");
     let mut row = |words: &str, trials: Vec<&Outcome>| {
         let (nulls, others): (Vec<&Outcome>, Vec<&Outcome>) = trials.into_iter().partition(|one| one.causes.is_empty());
@@ -177,17 +193,25 @@ fn hardships(outcomes: &[Outcome], text: &mut String) {
         let mut values: Vec<f64> = others.iter().filter_map(|outcome| outcome.recovered).collect();
         let median = quantile(&mut values, 0.5);
         let (all_nulls, all) = (nulls.len(), others.len());
+        if all_nulls + all == 0 {
+            return;
+        }
         let _ = writeln!(text, "| {words} | {alarms} of {all_nulls} | {k} of {n} | {wrong} of {all} | {median:.2} |");
     };
     for (_, words) in crate::trial::Hardship::ALL {
-        row(words, group(outcomes, "hard").filter(|outcome| outcome.hardships.iter().any(|own| own == words)).collect());
+        row(
+            words,
+            group(outcomes, "hard").filter(|outcome| outcome.hardships.iter().any(|own| own == words)).collect(),
+        );
     }
     row("several of these together", group(outcomes, "together").collect());
     text.push('\n');
 }
 
 fn outside(outcomes: &[Outcome], text: &mut String) {
-    text.push_str("| outside the table, level 3 | told as unexplained | a wrong name | the named cause beside it is right |\n");
+    text.push_str(
+        "| outside the table, level 3 | told as unexplained | a wrong name | the named cause beside it is right |\n",
+    );
     text.push_str("| --- | --- | --- | --- |\n");
     for kind in OUTSIDE_KINDS {
         for (alone, words) in [(true, "alone"), (false, "beside a named one")] {
@@ -202,6 +226,9 @@ fn outside(outcomes: &[Outcome], text: &mut String) {
             let (k, n) = right(&named);
             let beside = if alone { "-".to_string() } else { format!("{k} of {n}") };
             let all = trials.len();
+            if all == 0 {
+                continue;
+            }
             let _ = writeln!(text, "| {kind}, {words} | {flagged} of {all} | {wrong} of {all} | {beside} |");
         }
     }
@@ -213,8 +240,11 @@ fn by_the_way(outcomes: &[Outcome], text: &mut String) {
     let accused: usize = outcomes.iter().map(|outcome| outcome.accused).sum();
     let _ = writeln!(text, "Gross errors found: {}; good records taken for such: {accused}.\n", share(found, there));
     for (moving, words) in [(false, "240 standing records"), (true, "1,500 moving records")] {
-        let mut seconds: Vec<f64> =
-            outcomes.iter().filter(|one| one.moving == moving && one.refused.is_none()).map(|one| one.seconds).collect();
+        let mut seconds: Vec<f64> = outcomes
+            .iter()
+            .filter(|one| one.moving == moving && one.refused.is_none())
+            .map(|one| one.seconds)
+            .collect();
         if !seconds.is_empty() {
             let (median, most) = (quantile(&mut seconds, 0.5), quantile(&mut seconds, 1.0));
             let _ = writeln!(text, "Time for {words}: median {median:.1} s, longest {most:.1} s.\n");

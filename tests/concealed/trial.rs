@@ -231,7 +231,8 @@ fn different(spec: &Spec, setting: &Setting<'_>, dice: &mut Dice) -> Option<Vec<
 /// A built-in arm in another size, with tool, load and measuring frame.
 fn varied(mut robot: Robot, dice: &mut Dice) -> Robot {
     let size = dice.between(0.75, 1.25);
-    let factors: [[f64; 2]; DOF] = std::array::from_fn(|_| [size * dice.between(0.93, 1.07), size * dice.between(0.93, 1.07)]);
+    let factors: [[f64; 2]; DOF] =
+        std::array::from_fn(|_| [size * dice.between(0.93, 1.07), size * dice.between(0.93, 1.07)]);
     for (joint, [along, across]) in robot.joints.iter_mut().zip(factors) {
         joint.d_m *= along;
         joint.a_m *= across;
@@ -316,7 +317,8 @@ fn spoil(spec: &Spec, arm: &mut Arm, moments: &mut [Moment], noise_rad: f64, dic
         for moment in moments {
             // The last mode dies away; the operator waits now longer, now shorter.
             let left = 6.0 * noise_rad * (-dice.between(0.0, 4.0)).exp();
-            moment.unsettled = std::array::from_fn(|joint| if joint < 3 { -left * moment.approach[joint] } else { 0.0 });
+            moment.unsettled =
+                std::array::from_fn(|joint| if joint < 3 { -left * moment.approach[joint] } else { 0.0 });
         }
     }
 }
