@@ -12,6 +12,7 @@ mod diagnose;
 mod diagnosed;
 mod exit;
 mod inspect;
+mod job;
 mod load;
 mod output;
 mod predict;
