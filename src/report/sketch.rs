@@ -3,7 +3,6 @@
 use nalgebra::Vector3;
 
 use crate::identify::estimate::Estimate;
-use crate::model::robot::DOF;
 
 /// Points of the arm in the plane of the picture, m: along the floor and up.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,10 +17,10 @@ pub struct Sketch {
     pub tool: [f64; 2],
 }
 
-/// Joints nearer than this share of the reach to the one before stand on it.
-const ON_TOP: f64 = 0.02;
-/// Where on its axis a joint is drawn that stands on the one before it: at this share of the way to the next.
-const ON_THE_WAY: f64 = 0.5;
+/// Joints nearer than this share of the reach to another one would be drawn on top of it.
+const ON_TOP: f64 = 0.1;
+/// Such a joint is drawn at this share of the way to the next one: its axis runs there, or its housing.
+const ON_THE_WAY: f64 = 0.45;
 
 /// Draws the arm in the recorded pose that shows most of its length from the side.
 pub fn sketch(estimate: &Estimate<'_>) -> Option<Sketch> {
@@ -39,7 +38,8 @@ pub fn sketch(estimate: &Estimate<'_>) -> Option<Sketch> {
         let across = flange.translation - up * up.dot(&flange.translation);
         let Some(ahead) = across.try_normalize(1e-6) else { continue };
         let flat = |point: &Vector3<f64>| [ahead.dot(point), up.dot(point)];
-        let flat_joints = spread_out(&origins.iter().map(flat).collect::<Vec<_>>(), flat(&flange.translation));
+        let flat_joints =
+            spread_out([0.0, 0.0], &origins.iter().map(flat).collect::<Vec<_>>(), flat(&flange.translation));
         let drawn =
             Sketch { foot: [0.0, 0.0], joints: flat_joints, flange: flat(&flange.translation), tool: flat(&tool) };
         let seen = length(&drawn);
@@ -65,19 +65,22 @@ fn length(sketch: &Sketch) -> f64 {
     along + (largest(0) - smallest(0)) + (largest(1) - smallest(1))
 }
 
-/// Moves joints that stand on the one before along the way to the next that does not.
-fn spread_out(joints: &[[f64; 2]], flange: [f64; 2]) -> Vec<[f64; 2]> {
-    let reach: f64 = joints.windows(2).map(|pair| distance(&pair[0], &pair[1])).sum::<f64>().max(1e-6);
-    let mut drawn: Vec<[f64; 2]> = Vec::with_capacity(DOF);
+/// Moves joints that would be drawn on top of the foot or of another joint on towards the next that would not.
+fn spread_out(foot: [f64; 2], joints: &[[f64; 2]], flange: [f64; 2]) -> Vec<[f64; 2]> {
+    let line: Vec<[f64; 2]> = [foot].into_iter().chain(joints.iter().copied()).chain([flange]).collect();
+    let near = ON_TOP * line.windows(2).map(|pair| distance(&pair[0], &pair[1])).sum::<f64>();
+    let mut drawn = vec![foot];
     for (index, joint) in joints.iter().enumerate() {
-        let covered = drawn.iter().any(|other| distance(other, joint) < ON_TOP * reach);
-        let next = joints[index + 1..].iter().chain([&flange]).find(|other| distance(other, joint) > ON_TOP * reach);
+        let covered = drawn.iter().any(|other| distance(other, joint) < near);
+        let next = joints[index + 1..].iter().find(|other| distance(other, joint) > near);
         drawn.push(match (covered, next) {
             (true, Some(next)) => std::array::from_fn(|axis| joint[axis] + ON_THE_WAY * (next[axis] - joint[axis])),
-            _ => *joint,
+            // The last axis ends in the flange.
+            (true, None) => flange,
+            (false, _) => *joint,
         });
     }
-    drawn
+    drawn.split_off(1)
 }
 
 #[cfg(test)]
@@ -86,12 +89,13 @@ mod tests {
 
     #[test]
     fn joints_that_share_a_place_are_drawn_apart() {
-        let joints = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 1.0], [2.0, 1.0], [2.0, 1.0]];
-        let drawn = spread_out(&joints, [2.4, 1.0]);
-        assert_eq!(drawn[3], [1.5, 1.0]);
-        assert_eq!(drawn[5], [2.2, 1.0]);
+        let joints = [[0.0, 0.0], [0.1, 1.0], [0.1, 2.0], [0.2, 2.0], [1.2, 2.0], [1.2, 2.0]];
+        let drawn = spread_out([0.0, 0.0], &joints, [1.4, 2.0]);
+        assert_eq!(drawn[0], [0.045, 0.45]);
+        assert!((drawn[3][0] - 0.65).abs() < 1e-12);
+        assert_eq!(drawn[5], [1.4, 2.0]);
         for (index, joint) in drawn.iter().enumerate() {
-            assert!(drawn[..index].iter().all(|other| distance(other, joint) > 0.1));
+            assert!(drawn[..index].iter().all(|other| distance(other, joint) > 0.1), "{drawn:?}");
         }
     }
 }

@@ -5,9 +5,9 @@ use std::env::var;
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::available_parallelism;
 use std::time::Instant;
-
-use rayon::prelude::*;
 
 use crate::judge::{Outcome, judge};
 use crate::plan;
@@ -38,19 +38,35 @@ pub fn run() {
     let file = OpenOptions::new().create(true).append(true).open(&path).expect("a file for the results");
     let file = Mutex::new((file, 0));
     let begun = Instant::now();
-    specs.par_iter().with_max_len(1).for_each(|spec| {
-        if begun.elapsed().as_secs_f64() > seconds {
-            return;
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        while begun.elapsed().as_secs_f64() < seconds {
+            let Some(spec) = specs.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
+            let outcome = judge(spec, &build(spec));
+            let line = serde_json::to_string(&outcome).expect("an outcome");
+            let mut guard = file.lock().expect("the results");
+            writeln!(guard.0, "{line}").expect("room for the results");
+            guard.1 += 1;
+            let fates: Vec<String> =
+                outcome.causes.iter().map(|one| format!("{} {:.1} {:?}", one.kind, one.level, one.fate)).collect();
+            println!(
+                "{}/{} no. {} {} {} [{}] wrong {:?} {:.1} s",
+                guard.1,
+                specs.len(),
+                outcome.number,
+                outcome.group,
+                outcome.arm,
+                fates.join(", "),
+                outcome.wrong,
+                outcome.seconds
+            );
         }
-        let outcome = judge(spec, &build(spec));
-        let line = serde_json::to_string(&outcome).expect("an outcome");
-        let mut guard = file.lock().expect("the results");
-        writeln!(guard.0, "{line}").expect("room for the results");
-        guard.1 += 1;
-        let fates: Vec<String> =
-            outcome.causes.iter().map(|one| format!("{} {:.1} {:?}", one.kind, one.level, one.fate)).collect();
-        let (count, all) = (guard.1, specs.len());
-        println!("{count}/{all} {} {} [{}] wrong {:?}", outcome.group, outcome.arm, fates.join(", "), outcome.wrong);
+    };
+    // A trial a core; the first come in order, so that a run that is cut short leaves the beginning done.
+    std::thread::scope(|scope| {
+        for _ in 0..available_parallelism().map_or(1, usize::from) {
+            scope.spawn(worker);
+        }
     });
     let tables = tables::markdown(&outcomes(&path));
     println!("\n{tables}");

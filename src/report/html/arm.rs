@@ -38,7 +38,13 @@ pub fn arm(sketch: &Sketch, marks: &[Mark], page: &mut Markup) {
         x - 44.0,
         x + 44.0
     ));
-    label(x, y + 20.0, "middle", &base, "base", page);
+    label([x, y + 20.0], 0.0, &base, "base", page);
+    // A label stands beside the arm, on the side that looks up from where the arm comes.
+    let beside = |index: usize, off_px: f64| {
+        let [[x1, y1], [x2, y2]] = [place(&points[index - 1]), place(&points[index])];
+        let long = (x2 - x1).hypot(y2 - y1).max(1e-9);
+        [off_px * (y2 - y1) / long, -off_px * (x2 - x1) / long]
+    };
     for index in 0..points.len() - 1 {
         // Link n runs from joint n to the next; before joint 1 stands the pedestal, beyond the flange the tool.
         let link = words(&|at| index >= 1 && index < points.len() - 2 && at.link == Some(index));
@@ -48,31 +54,39 @@ pub fn arm(sketch: &Sketch, marks: &[Mark], page: &mut Markup) {
             class(&link)
         ));
         if !link.is_empty() {
-            label(0.5 * (x1 + x2) + 10.0, 0.5 * (y1 + y2) - 10.0, "start", &link, "", page);
+            let [dx, dy] = beside(index + 1, -18.0);
+            label([0.5 * (x1 + x2) + dx, 0.5 * (y1 + y2) + dy + 4.0], dx, &link, "", page);
         }
     }
     for (index, joint) in sketch.joints.iter().enumerate() {
         let own = words(&|at| at.joint == Some(index + 1));
         let [x, y] = place(joint);
-        page.raw(format_args!("<circle class=\"joint{}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\"/>\n", class(&own)));
-        label(x + 12.0, y - 11.0, "start", &own, &format!("J{}", index + 1), page);
+        page.raw(format_args!("<circle class=\"joint{}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"7\"/>\n", class(&own)));
+        let [dx, dy] = beside(index + 1, 18.0);
+        label([x + dx, y + dy + 4.0], dx, &own, &format!("J{}", index + 1), page);
     }
     let tool = words(&|at| at.payload == Some(true) || at.frame == Some(MovingFrame::Tool));
     let [x, y] = place(&sketch.tool);
-    page.raw(format_args!("<circle class=\"joint{}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"5\"/>\n", class(&tool)));
-    label(x + 10.0, y + 16.0, "start", &tool, "tool", page);
+    page.raw(format_args!("<circle class=\"joint{}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\"/>\n", class(&tool)));
+    label([x + 10.0, y + 14.0], 1.0, &tool, "tool", page);
     let clock = words(&|at| at.clock == Some(true));
     if !clock.is_empty() {
-        label(MARGIN, HEIGHT - 8.0, "start", &clock, "clocks", page);
+        label([MARGIN, HEIGHT - 8.0], 1.0, &clock, "clocks", page);
     }
     page.raw("</svg>\n");
 }
 
-fn label(x: f64, y: f64, anchor: &str, culprit: &str, name: &str, page: &mut Markup) {
+/// A word at a place; `aside` says to which side of it the word runs.
+fn label([x, y]: [f64; 2], aside: f64, culprit: &str, name: &str, page: &mut Markup) {
+    let anchor = match aside {
+        _ if aside < -4.0 => "end",
+        _ if aside > 0.5 => "start",
+        _ => "middle",
+    };
     let (class, text) = match (culprit.is_empty(), name.is_empty()) {
         (true, _) => ("soft", name.to_string()),
-        (false, true) => ("culprit", format!("\u{25c0} {culprit}")),
-        (false, false) => ("culprit", format!("{name} \u{25c0} {culprit}")),
+        (false, true) => ("culprit", format!("({culprit})")),
+        (false, false) => ("culprit", format!("{name} ({culprit})")),
     };
     let text = escaped(&text);
     page.raw(format_args!(

@@ -15,10 +15,10 @@ pub struct Bar {
     pub colour: &'static str,
 }
 
-const WIDTH: f64 = 640.0;
+const WIDTH: f64 = 560.0;
 const ROW: f64 = 26.0;
-const NAMES: f64 = 250.0;
-const WORDS: f64 = 90.0;
+const NAMES: f64 = 220.0;
+const WORDS: f64 = 80.0;
 
 /// Draws bars on one scale from zero to `full`.
 pub fn bars(title: &str, full: f64, rows: &[Bar], page: &mut Markup) {
