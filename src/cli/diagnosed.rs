@@ -1,7 +1,7 @@
 //! What a diagnosis says on a terminal: the sentence that a person reads first, then the findings, the largest first.
 
 use crate::diagnose::diagnosis::Verdict;
-use crate::report::diagnosis::{DiagnosisReport, FindingPart};
+use crate::report::diagnosis::{DiagnosisReport, FindingPart, probability};
 
 use super::console::{Console, Tone};
 
@@ -38,7 +38,7 @@ fn table(findings: &[FindingPart], console: &Console) {
                 finding.effect.to_string(),
                 finding.location.to_string(),
                 held_out,
-                format!("{:.0e}", evidence.p_value),
+                probability(evidence.p_value),
             ]
         })
         .collect();

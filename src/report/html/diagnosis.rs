@@ -2,7 +2,7 @@
 
 use crate::diagnose::diagnosis::Verdict;
 use crate::model::effect::{Location, by_id};
-use crate::report::diagnosis::{DiagnosisReport, FindingPart};
+use crate::report::diagnosis::{DiagnosisReport, ErrorPart, FindingPart, probability};
 use crate::report::sketch::Sketch;
 use crate::report::trace::Trace;
 
@@ -126,7 +126,7 @@ fn findings(shown: &DiagnosisPage<'_>, body: &mut Markup) {
                 format!("{:.1}", 100.0 * finding.share),
                 short(finding.evidence.heldout_rms_before_mm),
                 short(finding.evidence.heldout_rms_after_mm),
-                format!("{:.0e}", finding.evidence.p_value),
+                probability(finding.evidence.p_value),
             ]
         })
         .collect();
@@ -197,7 +197,7 @@ fn unexplained(shown: &DiagnosisPage<'_>, body: &mut Markup) {
     let Some(unexplained) = &shown.report.unexplained else { return };
     body.element("h2", "", "Without a name");
     body.element("p", "", &unexplained.statement);
-    let p = format!("p = {:.0e}; it depends on {}.", unexplained.p_value, unexplained.depends_on.join(", "));
+    let p = format!("p: {}; it depends on {}.", probability(unexplained.p_value), unexplained.depends_on.join(", "));
     body.element("p", "class=\"note\"", &p);
     body.raw("<figure class=\"side\">\n");
     for trace in shown.unexplained {
@@ -223,7 +223,7 @@ fn rest(report: &DiagnosisReport, body: &mut Markup) {
             report.next_measurements.iter().map(|next| vec![next.what.clone(), next.why.clone()]).collect();
         body.table(&["measure", "because"], 2, &rows);
     }
-    let sides = |name: &str, part: &crate::report::diagnosis::ErrorPart| {
+    let sides = |name: &str, part: &ErrorPart| {
         let mut row = vec![name.to_string()];
         row.extend([part.mean_mm, part.rms_mm, part.max_mm, part.heldout_rms_mm].map(short));
         row
