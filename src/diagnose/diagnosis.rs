@@ -5,8 +5,8 @@ use serde::Serialize;
 
 use crate::identify::calibrate::Refusal;
 use crate::identify::estimate::Estimate;
-use crate::identify::identify::identify;
-use crate::identify::problem::NoPose;
+use crate::identify::identify::{deviations, of_one_joint};
+use crate::identify::problem::{NoPose, Problem};
 use crate::identify::report::Figures;
 use crate::identify::robust;
 use crate::measure::recording::{Kind, Recording};
@@ -20,7 +20,7 @@ use super::free::{FreeFunction, Seat};
 use super::hold_out::{Blocks, held_out_squares_m2, rms_mm};
 use super::left_over::left_over;
 use super::regressors::Regressors;
-use super::search::{Found, search};
+use super::search::{Found, search_from};
 
 /// The answer in a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -135,35 +135,34 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     };
     let base = baseline(given, recordings, seed)?;
     let mut kept = base.identified.kept.clone();
+    let mut bare = Fitted::bare(base.estimate().clone());
     let mut round = 0;
-    let (ground, found) = loop {
+    let found = loop {
         round += 1;
-        // The search starts from the sigmas as stated: each fit finds its own noise level.
         let ground = Ground {
             problem: base.problem.subset(&kept),
             stated: base.stated,
             state: base.estimate().fit.state.clone(),
             unknowns: base.unknowns.clone(),
         };
-        let found = search(&ground, kind, seed)?;
-        let fit = &found.fitted.estimate.fit;
-        let again = identify(&base.problem, fit.state.clone(), &fit.unknowns, base.stated)?;
-        if again.kept == kept || round == ROUNDS {
-            break (ground, found);
+        let found = search_from(&ground, bare.clone(), kind, seed)?;
+        let again = still_good(&base.problem, &found.fitted.estimate, &kept)?;
+        if again == kept || round == ROUNDS {
+            break found;
         }
-        kept = again.kept;
+        kept = again;
+        bare = Ground { problem: base.problem.subset(&kept), ..ground }.fit(&[])?;
     };
     let outliers = (0..base.problem.records.len())
         .filter(|index| !kept.contains(index))
         .map(|index| base.problem.records[index].observation.id.clone())
         .chain(base.left_out.iter().map(|left| left.id.clone()))
         .collect();
-    let before_fit = ground.fit(&[])?;
-    let before_squares = held_out_m2(&before_fit, &found.blocks, None);
-    let before = errors(&before_fit.estimate, rms_mm(&before_squares));
+    let before_squares = held_out_m2(&bare, &found.blocks, None);
+    let before = errors(&bare.estimate, rms_mm(&before_squares));
     let after_squares = held_out_m2(&found.fitted, &found.blocks, None);
     let after = errors(&found.fitted.estimate, rms_mm(&after_squares));
-    let mut findings = findings(&found, &before_fit.estimate, after.held_out_rms_mm);
+    let mut findings = findings(&found, &bare.estimate, after.held_out_rms_mm);
     findings.sort_by(|a, b| b.share.total_cmp(&a.share));
     let unexplained = unexplained(&found)?;
     let verdict = match (findings.is_empty(), &unexplained) {
@@ -186,6 +185,22 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
         outliers,
         estimate: found.fitted.estimate,
     })
+}
+
+/// The records that are no gross errors beside what was found. Many that are off by one and the same joint are physics.
+fn still_good(problem: &Problem<'_>, estimate: &Estimate<'_>, kept: &[usize]) -> Result<Vec<usize>, NoPose> {
+    let mut in_fit = vec![false; problem.records.len()];
+    for &index in kept {
+        in_fit[index] = true;
+    }
+    let limit = robust::limit(problem.records.len());
+    let mut good: Vec<bool> =
+        deviations(problem, estimate, &in_fit)?.into_iter().map(|deviation| deviation <= limit).collect();
+    let far: Vec<usize> = (0..good.len()).filter(|&index| !good[index]).collect();
+    for index in of_one_joint(problem, estimate, &far)? {
+        good[index] = true;
+    }
+    Ok((0..good.len()).filter(|&index| good[index]).collect())
 }
 
 fn held_out_m2(fitted: &Fitted<'_>, blocks: &Blocks, without: Option<usize>) -> Vec<f64> {

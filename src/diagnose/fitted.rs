@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::{DMatrix, DVector};
 
 use crate::identify::estimate::{Estimate, estimate};
+use crate::identify::linear::Factor;
 use crate::identify::prior::unknown_of;
 use crate::identify::problem::{NoPose, Problem};
 use crate::identify::solve::{Fit, solve};
@@ -15,7 +16,7 @@ use crate::model::parameters::ParameterId;
 
 use super::candidate::Candidate;
 use super::projection::Projection;
-use super::regressors::extend;
+use super::regressors::{extend, side_by_side};
 
 /// What does not change during a search.
 #[derive(Clone, Debug)]
@@ -54,14 +55,25 @@ impl<'a> Ground<'a> {
 
     /// Fits these causes, the noise level with them, from where another fit stands.
     ///
+    /// # Arguments
+    /// * `fresh` - whitened columns of the causes that are new, which then stand at the end of `terms`: the fit starts from
+    ///   the solution of the linear problem. Empty: it starts with the new ones at zero.
+    ///
     /// # Errors
     /// [`NoPose`] when the model cannot place a record.
-    pub fn refit(&self, from: &Fitted<'a>, terms: &[Candidate]) -> Result<Fitted<'a>, NoPose> {
+    pub fn refit(&self, from: &Fitted<'a>, terms: &[Candidate], fresh: &[DMatrix<f64>]) -> Result<Fitted<'a>, NoPose> {
         let (mut state, unknowns, spans) = self.with(terms);
         take_over(&mut state, from, terms, &spans, &unknowns);
+        let nearer = linear_start(&state, from, &unknowns, fresh);
+        if nearer.as_ref().is_some_and(|nearer| self.problem.residuals(nearer).is_ok()) {
+            state = nearer.unwrap_or(state);
+        }
         // Stated sigmas are lower bounds, so those stay what they are; a level that is found starts where it was found.
         let problem = if self.stated { self.problem.clone() } else { from.estimate.problem.clone() };
-        let estimate = estimate(problem, state, &unknowns, self.stated)?;
+        let mut estimate = estimate(problem, state, &unknowns, self.stated)?;
+        if !self.stated {
+            estimate.scale *= from.estimate.scale;
+        }
         Ok(Fitted { estimate, terms: terms.to_vec(), spans })
     }
 
@@ -113,6 +125,31 @@ fn take_over(state: &mut State, from: &Fitted<'_>, terms: &[Candidate], spans: &
     }
 }
 
+/// Where the linear problem has its solution, when `fresh` are the columns of all unknowns that `from` did not have.
+fn linear_start(state: &State, from: &Fitted<'_>, unknowns: &[Unknown], fresh: &[DMatrix<f64>]) -> Option<State> {
+    let known = &from.estimate.fit.whitened_jacobian;
+    let fresh = side_by_side(fresh, known.nrows());
+    if fresh.ncols() == 0 || known.ncols() + fresh.ncols() != unknowns.len() {
+        return None;
+    }
+    let (rows, columns) = (known.nrows(), unknowns.len());
+    let mut stacked = DMatrix::zeros(rows + columns, columns);
+    stacked.view_mut((0, 0), known.shape()).copy_from(known);
+    stacked.view_mut((0, known.ncols()), fresh.shape()).copy_from(&fresh);
+    let mut right = DVector::zeros(rows + columns);
+    right.rows_mut(0, rows).copy_from(&-from.residuals());
+    for (index, Unknown { id, prior }) in unknowns.iter().enumerate() {
+        stacked[(rows + index, index)] = 1.0 / prior.sigma;
+        right[rows + index] = (prior.mean - state.get(*id).unwrap_or(0.0)) / prior.sigma;
+    }
+    let step = Factor::new(stacked, &right).solve(0.0);
+    let mut nearer = state.clone();
+    for (unknown, change) in unknowns.iter().zip(step.iter()) {
+        nearer.add(unknown.id, *change);
+    }
+    Some(nearer)
+}
+
 /// A diagnosis must not hold a missing cause to its usual size: half of all that is believable.
 fn wide(usual: Prior, id: ParameterId, state: &State) -> Prior {
     let ParameterId::Effect(effect, parameter) = id else { return usual };
@@ -120,6 +157,13 @@ fn wide(usual: Prior, id: ParameterId, state: &State) -> Prior {
     let believable = instance.and_then(|instance| instance.effect.meta().parameters.get(parameter));
     let half = believable.map_or(0.0, |meta| 0.5 * meta.plausible.0.abs().max(meta.plausible.1.abs()));
     Prior { sigma: usual.sigma.max(half), ..usual }
+}
+
+impl<'a> Fitted<'a> {
+    /// A fit without any cause.
+    pub fn bare(estimate: Estimate<'a>) -> Self {
+        Self { estimate, terms: Vec::new(), spans: Vec::new() }
+    }
 }
 
 impl Fitted<'_> {

@@ -53,9 +53,17 @@ pub struct Found<'a> {
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
 pub fn search<'a>(ground: &Ground<'a>, kind: Kind, seed: u64) -> Result<Found<'a>, NoPose> {
+    search_from(ground, ground.fit(&[])?, kind, seed)
+}
+
+/// Looks for what is missing, from a fit of the ground without any cause.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn search_from<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u64) -> Result<Found<'a>, NoPose> {
     let blocks = Blocks::new(&ground.problem, kind, seed);
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut found = Found { fitted: ground.fit(&[])?, free: Vec::new(), blocks, reviews: Vec::new() };
+    let mut found = Found { fitted: bare, free: Vec::new(), blocks, reviews: Vec::new() };
     let mut exchanges = 0;
     loop {
         while found.fitted.terms.len() + found.free.len() < MOST_CAUSES && found.add_some(ground, &mut random)? {
@@ -85,7 +93,7 @@ impl<'a> Found<'a> {
         let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
         let standing = suspects(&regressors)?;
         let mut projection = self.projection(&regressors, None);
-        let (mut named, mut grown): (Vec<Candidate>, bool) = (Vec::new(), false);
+        let (mut named, mut fresh, mut grown) = (Vec::<Candidate>::new(), Vec::new(), false);
         while self.fitted.terms.len() + named.len() + self.free.len() < MOST_CAUSES {
             let mut all = searched(&regressors, &projection);
             let taken = |suspect: &&Suspect| {
@@ -97,7 +105,10 @@ impl<'a> Found<'a> {
             let Some((suspect, part)) = self.next(ground, &all, &projection, named.is_empty(), random) else { break };
             match suspect.cause {
                 Cause::Free(function) => self.free.push(function),
-                Cause::Named(candidate) => named.push(candidate),
+                Cause::Named(candidate) => {
+                    named.push(candidate);
+                    fresh.push(suspect.columns.clone());
+                }
             }
             grown = true;
             projection = projection.with(&suspect.columns);
@@ -107,7 +118,7 @@ impl<'a> Found<'a> {
         }
         if !named.is_empty() {
             let terms = named.iter().fold(self.fitted.terms.clone(), |terms, one| joined(&terms, one));
-            self.fitted = ground.refit(&self.fitted, &terms)?;
+            self.fitted = ground.refit(&self.fitted, &terms, &fresh)?;
         }
         Ok(grown)
     }
@@ -243,7 +254,7 @@ impl<'a> Found<'a> {
             }
         }
         if changed {
-            let fitted = ground.refit(&self.fitted, &terms)?;
+            let fitted = ground.refit(&self.fitted, &terms, &[])?;
             if fitted.estimate.spread.sigma_m <= self.fitted.estimate.spread.sigma_m {
                 self.fitted = fitted;
             }
@@ -265,7 +276,7 @@ impl<'a> Found<'a> {
             let Some((term, _)) = idlest else { return Ok(()) };
             let mut terms = self.fitted.terms.clone();
             terms.remove(term);
-            self.fitted = ground.refit(&self.fitted, &terms)?;
+            self.fitted = ground.refit(&self.fitted, &terms, &[])?;
         }
     }
 
@@ -310,7 +321,7 @@ impl<'a> Found<'a> {
             match better.cause {
                 Cause::Free(function) => {
                     self.free.push(function);
-                    self.fitted = ground.refit(&self.fitted, &terms)?;
+                    self.fitted = ground.refit(&self.fitted, &terms, &[])?;
                 }
                 Cause::Named(candidate) => {
                     let with = joined(&terms, &candidate);
@@ -318,7 +329,7 @@ impl<'a> Found<'a> {
                     if fit.cost > self.fitted.estimate.fit.cost {
                         continue;
                     }
-                    self.fitted = ground.refit(&self.fitted, &with)?;
+                    self.fitted = ground.refit(&self.fitted, &with, &[])?;
                 }
             }
             return Ok(true);

@@ -110,16 +110,7 @@ impl<'a> Problem<'a> {
         let firsts = self.first_rows();
         let mut jacobian = DMatrix::zeros(self.rows(), unknowns.len());
         // Equilibrium is found in plain numbers once; only the derivatives then have to settle.
-        let plain = state.model.prepared();
-        let settled: Vec<Response<f64>> = self
-            .records
-            .par_iter()
-            .enumerate()
-            .map(|(index, record)| {
-                let stand = arm_at(&plain, record.observation, None).map_err(|error| self.no_pose(index, error))?;
-                Ok(stand.response)
-            })
-            .collect::<Result<_, NoPose>>()?;
+        let stands = self.stands(state)?;
         for (chunk_index, chunk) in unknowns.chunks(DUAL_WIDTH).enumerate() {
             let (parameters, stations) = seeded_state(state, chunk);
             let prepared = state.model.prepare(parameters);
@@ -128,7 +119,7 @@ impl<'a> Problem<'a> {
                 .par_iter()
                 .enumerate()
                 .map(|(index, record)| {
-                    let start = settled[index].constant();
+                    let start = stands[index].response.constant();
                     rows_of(&prepared, &stations, record, Some(&start)).map_err(|error| self.no_pose(index, error))
                 })
                 .collect::<Result<_, _>>()?;
@@ -142,6 +133,63 @@ impl<'a> Problem<'a> {
             }
         }
         Ok(jacobian)
+    }
+
+    /// The arm at every record.
+    ///
+    /// # Errors
+    /// [`NoPose`] as for [`Problem::residuals`].
+    pub fn stands(&self, state: &State) -> Result<Vec<ArmState<f64>>, NoPose> {
+        let prepared = state.model.prepared();
+        let at = |(index, record): (usize, &Record<'_>)| {
+            arm_at(&prepared, record.observation, None).map_err(|error| self.no_pose(index, error))
+        };
+        self.records.par_iter().enumerate().map(at).collect()
+    }
+
+    /// What [`Problem::jacobian`] gives, by differences: for looking at many numbers of which few are then fitted. Several
+    /// times quicker, and right to about 1e-4 of the largest entry of a column.
+    ///
+    /// # Arguments
+    /// * `stands` - the arm at every record in this state: each settles from there
+    /// * `changes` - the unknowns, each with the step over which it is differentiated
+    ///
+    /// # Errors
+    /// [`NoPose`] where a changed arm has none.
+    pub fn differences(
+        &self,
+        state: &State,
+        stands: &[ArmState<f64>],
+        changes: &[(UnknownId, f64)],
+    ) -> Result<DMatrix<f64>, NoPose> {
+        let firsts = self.first_rows();
+        let rows_in = |state: &State| -> Result<Vec<Rows<f64>>, NoPose> {
+            let prepared = state.model.prepared();
+            let stations: Vec<Pose> = state.stations.iter().map(Station::pose).collect();
+            let rows = |(index, record): (usize, &Record<'_>)| {
+                let start = stands.get(index).map(|stand| &stand.response);
+                rows_of(&prepared, &stations, record, start).map_err(|error| self.no_pose(index, error))
+            };
+            self.records.iter().enumerate().map(rows).collect()
+        };
+        let before = rows_in(state)?;
+        let columns: Vec<Vec<Rows<f64>>> = changes
+            .par_iter()
+            .map(|&(id, step)| {
+                let mut changed = state.clone();
+                changed.add(id, step);
+                rows_in(&changed)
+            })
+            .collect::<Result<_, _>>()?;
+        let mut all = DMatrix::zeros(self.rows(), changes.len());
+        for ((column, after), (_, step)) in columns.iter().enumerate().zip(changes) {
+            for ((before, after), first) in before.iter().zip(after).zip(&firsts) {
+                for (row, (before, after)) in before.iter().zip(after.iter()).enumerate() {
+                    all[(first + row, column)] = (after - before) / step;
+                }
+            }
+        }
+        Ok(all)
     }
 
     /// `1/sigma` of every row.

@@ -9,3 +9,4 @@ mod jobs;
 mod main_job;
 mod singular;
 mod talk;
+mod whole_loop;
