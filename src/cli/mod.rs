@@ -10,6 +10,7 @@ mod census;
 mod console;
 mod correct;
 mod diagnose;
+mod diagnosed;
 mod exit;
 mod in_order;
 mod inspect;
