@@ -93,9 +93,9 @@ impl Console {
             Failure::Input(error) => {
                 self.diagnostic(std::slice::from_ref(&error.source_text), &error.diagnostic);
             }
-            Failure::Program(source, diagnostics) => {
+            Failure::Program(sources, diagnostics) => {
                 for diagnostic in diagnostics {
-                    self.diagnostic(std::slice::from_ref(source.as_ref()), diagnostic);
+                    self.diagnostic(sources, diagnostic);
                 }
             }
             Failure::Recording(refusal) => {

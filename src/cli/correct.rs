@@ -17,8 +17,8 @@ use crate::rewrite::split::split;
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
-use super::load::{self, Loaded};
-use super::{batch, output, tell};
+use super::job::{self, Loaded};
+use super::{batch, load, output, tell};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -34,6 +34,9 @@ Examples:
 ///
 /// Every target is listed as corrected, joint (left alone unless --joint-targets), computed (its value is not in the
 /// text) or refused (no solution). One refused target and nothing is written, unless --allow-partial.
+///
+/// Files that belong together (KUKA .src and .dat of one name) are one job: given one of them the others are read from
+/// beside it, and --out-dir writes all of them. Files that jobs share (KUKA $config.dat) are read and never written.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -88,11 +91,12 @@ pub(super) struct Shop<'a> {
     options: Options,
 }
 
-/// A corrected file, not yet written.
+/// A corrected job, not yet written.
 pub(super) struct Corrected {
     pub loaded: Loaded,
     pub outcome: Outcome,
-    pub bytes: Vec<u8>,
+    /// The job's own files.
+    pub files: Vec<Vec<u8>>,
 }
 
 pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
@@ -115,10 +119,10 @@ fn region(args: &Args, calibration: &Calibration) -> Result<Option<crate::files:
 }
 
 fn one(shop: &Shop<'_>, console: &Console) -> Result<Exit, Failure> {
-    let source = match &shop.args.programs[..] {
-        [] => load::standard_input()?,
-        [path] if path.as_os_str() == "-" => load::standard_input()?,
-        [path] => load::source(path)?,
+    let file = match &shop.args.programs[..] {
+        [] => None,
+        [path] if path.as_os_str() == "-" => None,
+        [path] => Some(path),
         _ => return Err(Failure::Usage("several programs need --out-dir".into())),
     };
     let output = shop.args.output.clone().unwrap_or_else(|| PathBuf::from("-"));
@@ -135,17 +139,26 @@ fn one(shop: &Shop<'_>, console: &Console) -> Result<Exit, Failure> {
     if both_on_stdout {
         return Err(Failure::Usage("the program and the report cannot both go to standard output".into()));
     }
-    let corrected = shop.correct(source)?;
+    let loaded = match file {
+        Some(path) => job::of_file(path, shop.args.dialect)?,
+        None => job::of_standard_input(shop.args.dialect)?,
+    };
+    let corrected = shop.correct(loaded)?;
     tell::targets(console, &corrected.loaded, &corrected.outcome);
     if let Some(path) = &shop.args.report {
         output::write_json(path, &TargetsReport::new(corrected.reports()))?;
     }
-    if corrected.outcome.count(Class::Refused) > 0 && !shop.args.allow_partial {
+    if corrected.is_refused() && !shop.args.allow_partial {
         console.say("nothing is written; --allow-partial writes the rest and leaves refused targets as they are");
         return Ok(Exit::No);
     }
-    output::write(&output, &corrected.bytes)?;
-    Ok(if corrected.outcome.count(Class::Refused) > 0 { Exit::No } else { Exit::Done })
+    if let Some(other) = corrected.changed().find(|&file| file > 0) {
+        let name = corrected.loaded.sources[other].name();
+        let message = format!("targets of this program stand in {name}: --out-dir DIR writes all files of the job");
+        return Err(Failure::Usage(message));
+    }
+    output::write(&output, &corrected.files[0])?;
+    Ok(if corrected.is_refused() { Exit::No } else { Exit::Done })
 }
 
 /// True when both names lead to the same existing file or folder.
@@ -154,32 +167,27 @@ pub(super) fn same_file(a: &Path, b: &Path) -> bool {
 }
 
 impl Shop<'_> {
-    /// Corrects one program; nothing is written.
+    /// Corrects a job; nothing is written.
     ///
     /// # Errors
     /// [`Failure::Program`] when it holds errors, or numbers in another unit.
-    pub fn correct(&self, source: Source) -> Result<Corrected, Failure> {
-        let loaded = load::program(source, self.args.dialect)?;
+    pub fn correct(&self, loaded: Loaded) -> Result<Corrected, Failure> {
         let metres = loaded.program.diagnostics.iter().find(|finding| finding.code == "unit-scale");
         if let Some(finding) = metres.filter(|_| !self.args.trust_units) {
             let finding = Diagnostic { severity: Severity::Error, ..finding.clone() }
                 .help("convert the program to its language's unit; --trust-units takes the numbers as they are");
-            return Err(Failure::Program(Box::new(loaded.sources[0].clone()), vec![finding]));
+            return Err(Failure::Program(loaded.sources, vec![finding]));
         }
         let outcome = self.outcome(&loaded);
         if self.args.split_shared && outcome.targets.iter().any(|target| target.shared) {
             let edits = split(&loaded.sources, &loaded.program, &outcome);
-            if !edits[0].is_empty() {
-                let with_copies = apply(&loaded, &edits[0])?;
-                let source = Source::new(loaded.sources[0].name(), with_copies);
-                let loaded = load::program(source, Some(loaded.dialect))?;
-                let outcome = self.outcome(&loaded);
-                let bytes = apply(&loaded, &outcome.edits[0])?;
-                return Ok(Corrected { loaded, outcome, bytes });
+            if !edits.iter().all(EditSet::is_empty) {
+                let with_copies = with_edits(loaded, &edits)?;
+                let outcome = self.outcome(&with_copies);
+                return corrected(with_copies, outcome);
             }
         }
-        let bytes = apply(&loaded, &outcome.edits[0])?;
-        Ok(Corrected { loaded, outcome, bytes })
+        corrected(loaded, outcome)
     }
 
     fn outcome(&self, loaded: &Loaded) -> Outcome {
@@ -193,16 +201,40 @@ impl Shop<'_> {
     }
 }
 
-fn apply(loaded: &Loaded, edits: &EditSet) -> Result<Vec<u8>, Failure> {
-    edits.apply(loaded.sources[0].bytes()).map_err(|error| {
-        let diagnostic = Diagnostic::error("edit", error.to_string());
-        Failure::Program(Box::new(loaded.sources[0].clone()), vec![diagnostic])
-    })
+/// The job with edits made, read again.
+fn with_edits(loaded: Loaded, edits: &[EditSet]) -> Result<Loaded, Failure> {
+    let own = apply(&loaded, edits)?;
+    let names = loaded.sources.iter().map(|source| source.name().to_string());
+    let mut sources: Vec<Source> = names.zip(own).map(|(name, bytes)| Source::new(name, bytes)).collect();
+    sources.extend(loaded.sources.into_iter().skip(loaded.own));
+    job::read(sources, loaded.own, loaded.dialect)
+}
+
+fn corrected(loaded: Loaded, outcome: Outcome) -> Result<Corrected, Failure> {
+    let files = apply(&loaded, &outcome.edits)?;
+    Ok(Corrected { loaded, outcome, files })
+}
+
+/// The job's own files with edits made.
+fn apply(loaded: &Loaded, edits: &[EditSet]) -> Result<Vec<Vec<u8>>, Failure> {
+    let own = loaded.sources.iter().zip(edits).take(loaded.own);
+    let files: Result<_, _> = own.map(|(source, edits)| edits.apply(source.bytes())).collect();
+    files.map_err(|error| Failure::Program(loaded.sources.clone(), vec![Diagnostic::error("edit", error.to_string())]))
 }
 
 impl Corrected {
     /// What happened to its targets.
     pub fn reports(&self) -> Vec<FileReport> {
         files(&self.loaded.sources, self.loaded.dialect, &self.loaded.program, Some(&self.outcome))
+    }
+
+    /// Some target has no solution.
+    pub fn is_refused(&self) -> bool {
+        self.outcome.count(Class::Refused) > 0
+    }
+
+    /// The files that come out other than they went in.
+    fn changed(&self) -> impl Iterator<Item = usize> + '_ {
+        self.outcome.edits.iter().enumerate().filter(|(_, edits)| !edits.is_empty()).map(|(file, _)| file)
     }
 }

@@ -11,8 +11,10 @@ mod correct;
 mod diagnose;
 mod exit;
 mod inspect;
+mod job;
 mod load;
 mod output;
+mod plan;
 mod predict;
 mod robots;
 mod simulate;
@@ -41,6 +43,7 @@ enum Command {
     Predict(predict::Args),
     Diagnose(diagnose::Args),
     Validate(validate::Args),
+    Plan(plan::Args),
     Correct(correct::Args),
     Inspect(inspect::Args),
     Simulate(simulate::Args),
@@ -56,6 +59,7 @@ pub fn main() -> ExitCode {
         Command::Predict(args) => predict::run(args, &console),
         Command::Diagnose(args) => diagnose::run(args, &console),
         Command::Validate(args) => validate::run(args, &console),
+        Command::Plan(args) => plan::run(args, &console),
         Command::Correct(args) => correct::run(args, &console),
         Command::Inspect(args) => inspect::run(args, &console),
         Command::Simulate(args) => simulate::run(args, &console),

@@ -31,18 +31,31 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if path.as_os_str() == "-" {
         return print(bytes);
     }
-    check(path)?;
-    let folder = folder_of(path);
-    let whole = || {
-        let mut file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder)?;
-        file.write_all(bytes)?;
-        keep_permissions(path, file.as_file())?;
-        file.as_file().sync_all()?;
-        file.persist(path).map_err(|error| error.error)?;
-        Ok(())
-    };
+    write_all(&[(path, bytes)])
+}
+
+/// Writes files that belong together: none takes its place before all lie on the disk.
+pub fn write_all(files: &[(&Path, &[u8])]) -> Result<(), Failure> {
     // The kind alone: the name of the temporary file says nothing to the user.
-    whole().map_err(|error: std::io::Error| Failure::file(path, error.kind().into()))
+    let failure = |path: &Path, error: std::io::Error| Failure::file(path, error.kind().into());
+    let mut staged = Vec::with_capacity(files.len());
+    for (path, bytes) in files {
+        check(path)?;
+        staged.push((path, stage(path, bytes).map_err(|error| failure(path, error))?));
+    }
+    for (path, file) in staged {
+        file.persist(path).map_err(|error| failure(path, error.error))?;
+    }
+    Ok(())
+}
+
+/// A file beside its place, complete, without its name.
+fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<tempfile::NamedTempFile> {
+    let mut file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder_of(path))?;
+    file.write_all(bytes)?;
+    keep_permissions(path, file.as_file())?;
+    file.as_file().sync_all()?;
+    Ok(file)
 }
 
 /// A new file gets what the user's mask allows; one that is replaced keeps what it had.

@@ -7,7 +7,7 @@ use crate::rewrite::class::Class;
 use crate::rewrite::outcome::{Outcome, TargetOutcome};
 
 use super::console::Console;
-use super::load::Loaded;
+use super::job::Loaded;
 
 /// Targets of one kind that are listed one by one; the rest is counted (the report has them all).
 const LISTED: usize = 20;

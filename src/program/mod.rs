@@ -5,6 +5,7 @@
 
 pub mod decimal;
 pub mod dialect;
+pub mod flow;
 pub mod number;
 pub mod scan;
 pub mod selection;

@@ -3,7 +3,7 @@
 //!
 //! Everything here is what the text says, in the file's own units and frames; nothing is decided yet.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -27,6 +27,12 @@ pub struct Program {
     pub frames: BTreeMap<String, Definition<FrameData>>,
     /// Loads that the program defines itself.
     pub loads: BTreeMap<String, Definition<LoadData>>,
+    /// Loads that the program gives as all that the flange carries, centre of mass in the flange: they take the place
+    /// of the tool's own load (KUKA `$LOAD`). A [`Use::grip_load`] names one like any other load.
+    pub flange_loads: BTreeMap<String, Definition<LoadData>>,
+    /// Files that are read with the job and never written, because other jobs share them: their targets stay as they
+    /// are. Known to the one who reads files, not to the dialect.
+    pub read_only: BTreeSet<usize>,
     /// The declarations of named targets that may be copied under another name, by index of the target.
     pub declarations: BTreeMap<usize, Declaration>,
     /// What the reader has to say: broken lines, suspicious units, a missing end.

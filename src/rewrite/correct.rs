@@ -139,6 +139,11 @@ impl Work<'_> {
             return TargetOutcome::left(class, reason);
         }
         match self.false_target(index, arrivals, outcomes) {
+            Ok(figures) if figures.iterations > 0 && self.job.program.read_only.contains(&target.file) => {
+                let reason = "stands in a file that other programs share, which is never written";
+                let class = if class == Class::Joint { Class::Joint } else { Class::Computed };
+                TargetOutcome::left(class, reason.to_string())
+            }
             Ok(figures) => TargetOutcome {
                 class: Class::Corrected,
                 reason: both_sides(arrivals),

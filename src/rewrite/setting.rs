@@ -124,8 +124,10 @@ impl<'a> Settings<'a> {
     fn resolve(&self, one: &Use) -> Result<Setting, Obstacle> {
         let tool = self.tool(&one.tool)?;
         let (frame, frame_held) = self.frame(&one.frame)?;
-        let grip = self.grip_load(&one.grip_load)?;
-        let payload = carried_mass(&tool, grip);
+        let payload = match self.flange_load(&one.grip_load)? {
+            Some(load) => Some(load),
+            None => carried_mass(&tool, self.grip_load(&one.grip_load)?),
+        };
         match (tool.held_by_robot, frame_held) {
             (true, false) => Ok(Setting {
                 fixed: frame,
@@ -187,6 +189,13 @@ impl<'a> Settings<'a> {
         pose.map(|pose| (pose, false)).ok_or_else(|| {
             Obstacle::refused(format!("frame `{name}` is defined neither in the program nor in the cell file (--cell)"))
         })
+    }
+
+    /// A load that is all that the flange carries.
+    fn flange_load(&self, reference: &Reference) -> Result<Option<Mass>, Obstacle> {
+        let Reference::Named(name) = reference else { return Ok(None) };
+        let load = self.program.flange_loads.get(&Program::key(name)).map(|definition| definition.value.as_ref());
+        load.map(|load| load.map(mass_of).map_err(|reason| Obstacle::computed(reason.clone()))).transpose()
     }
 
     fn grip_load(&self, reference: &Reference) -> Result<Option<Mass>, Obstacle> {

@@ -5,6 +5,8 @@
 mod bad_input;
 mod batch;
 mod bench;
+mod jobs;
 mod main_job;
 mod singular;
 mod talk;
+mod whole_loop;
