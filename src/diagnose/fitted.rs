@@ -14,7 +14,6 @@ use crate::model::arm::EffectInstance;
 use crate::model::parameters::ParameterId;
 
 use super::candidate::Candidate;
-use super::hold_out::{Blocks, Regression, held_out_squares_m2};
 use super::projection::Projection;
 use super::regressors::extend;
 
@@ -53,12 +52,26 @@ impl<'a> Ground<'a> {
         Ok(Fitted { estimate, terms: terms.to_vec(), spans })
     }
 
-    /// Fits these causes with the sigmas of another fit, to compare the two.
+    /// Fits these causes, the noise level with them, from where another fit stands.
+    ///
+    /// # Errors
+    /// [`NoPose`] when the model cannot place a record.
+    pub fn refit(&self, from: &Fitted<'a>, terms: &[Candidate]) -> Result<Fitted<'a>, NoPose> {
+        let (mut state, unknowns, spans) = self.with(terms);
+        take_over(&mut state, from, terms, &spans, &unknowns);
+        // Stated sigmas are lower bounds, so those stay what they are; a level that is found starts where it was found.
+        let problem = if self.stated { self.problem.clone() } else { from.estimate.problem.clone() };
+        let estimate = estimate(problem, state, &unknowns, self.stated)?;
+        Ok(Fitted { estimate, terms: terms.to_vec(), spans })
+    }
+
+    /// Fits these causes with the sigmas of another fit, from where that stands, to compare the two.
     ///
     /// # Errors
     /// [`NoPose`] as above.
     pub fn fit_like(&self, like: &Fitted<'a>, terms: &[Candidate]) -> Result<(Fit, Vec<Range<usize>>), NoPose> {
-        let (state, unknowns, spans) = self.with(terms);
+        let (mut state, unknowns, spans) = self.with(terms);
+        take_over(&mut state, like, terms, &spans, &unknowns);
         Ok((solve(&like.estimate.problem, state, &unknowns, &[])?, spans))
     }
 
@@ -76,6 +89,27 @@ impl<'a> Ground<'a> {
             }));
         }
         (state, unknowns, spans)
+    }
+}
+
+/// Starts a fit where another one ended: everything that is free in both, and the causes that both have.
+fn take_over(state: &mut State, from: &Fitted<'_>, terms: &[Candidate], spans: &[Range<usize>], unknowns: &[Unknown]) {
+    let fit = &from.estimate.fit;
+    let mut copy = |to: UnknownId, value: Option<f64>| {
+        if let (Some(value), Some(now)) = (value, state.get(to)) {
+            state.add(to, value - now);
+        }
+    };
+    let common = spans.first().map_or(unknowns.len(), |span| span.start);
+    for unknown in &unknowns[..common] {
+        copy(unknown.id, fit.state.get(unknown.id));
+    }
+    for (term, span) in terms.iter().zip(spans) {
+        let before = from.terms.iter().zip(&from.spans).find(|(known, _)| known.same_as(term));
+        let Some((_, old)) = before.filter(|(_, old)| old.len() == span.len()) else { continue };
+        for (to, index) in span.clone().zip(old.clone()) {
+            copy(unknowns[to].id, fit.state.get(fit.unknowns[index].id));
+        }
     }
 }
 
@@ -134,20 +168,5 @@ impl Fitted<'_> {
         let values = span.clone().map(|index| fit.state.get(fit.unknowns[index].id).unwrap_or(0.0));
         let sigmas = span.clone().map(|index| fit.covariance_root.row(index).norm());
         (DVector::from_iterator(span.len(), values), DVector::from_iterator(span.len(), sigmas))
-    }
-
-    /// Held-out squares, m^2, with further columns, or without a term.
-    pub fn held_out_m2(&self, blocks: &Blocks, without: Option<usize>, further: &[&DMatrix<f64>]) -> Vec<f64> {
-        let (columns, sigmas, deviations, residuals) = self.without(without);
-        let extra: usize = further.iter().map(|columns| columns.ncols()).sum();
-        let mut all = columns.clone().resize_horizontally(columns.ncols() + extra, 0.0);
-        let mut next = columns.ncols();
-        for block in further {
-            all.columns_mut(next, block.ncols()).copy_from(block);
-            next += block.ncols();
-        }
-        let regression =
-            Regression { columns: &all, prior_sigmas: &sigmas, deviations: &deviations, residuals: &residuals };
-        held_out_squares_m2(&self.estimate.problem, blocks, &regression)
     }
 }

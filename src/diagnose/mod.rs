@@ -3,14 +3,17 @@
 pub mod baseline;
 pub mod calibration;
 pub mod candidate;
+pub mod check;
 pub mod diagnosis;
 pub mod evidence;
 pub mod fitted;
 pub mod free;
 pub mod hold_out;
+pub mod left_over;
 pub mod projection;
 pub mod rank;
 pub mod regressors;
+pub mod review;
 pub mod scan;
 pub mod search;
 pub mod statement;

@@ -266,7 +266,8 @@ pub fn extend(model: &mut ArmModel, instances: &[EffectInstance]) -> Vec<Paramet
     ids
 }
 
-fn side_by_side(blocks: &[DMatrix<f64>], rows: usize) -> DMatrix<f64> {
+/// Matrices of as many rows side by side.
+pub fn side_by_side(blocks: &[DMatrix<f64>], rows: usize) -> DMatrix<f64> {
     if let [only] = blocks {
         return only.clone();
     }
