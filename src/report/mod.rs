@@ -1,5 +1,6 @@
 //! Floor 8: results as data that other programs read, as tables and as pages that people read.
 
+pub mod calibration;
 pub mod diagnosis;
 pub mod html;
 pub mod landing;
