@@ -26,6 +26,8 @@ mod simulate;
 mod summary;
 mod tell;
 mod validate;
+mod watch;
+mod writers;
 
 use console::Console;
 
@@ -50,6 +52,7 @@ enum Command {
     Diagnose(diagnose::Args),
     Validate(validate::Args),
     Correct(correct::Args),
+    Watch(watch::Args),
     Inspect(inspect::Args),
     Simulate(simulate::Args),
     Robots(robots::Args),
@@ -65,6 +68,7 @@ pub fn main() -> ExitCode {
         Command::Diagnose(args) => diagnose::run(args, &console),
         Command::Validate(args) => validate::run(args, &console),
         Command::Correct(args) => correct::run(args, &console),
+        Command::Watch(args) => watch::run(args, &console),
         Command::Inspect(args) => inspect::run(args, &console),
         Command::Simulate(args) => simulate::run(args, &console),
         Command::Robots(args) => robots::run(args),

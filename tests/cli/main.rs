@@ -11,3 +11,4 @@ mod main_job;
 mod modules;
 mod singular;
 mod talk;
+mod watch;

@@ -68,7 +68,7 @@ pub(super) fn read(sources: &[Source]) -> Program {
         checks::end(index, source, file, &mut program.diagnostics);
     }
     resolver.finish(&mut program);
-    for (index, file) in files.iter().enumerate() {
+    for index in 0..files.len() {
         checks::targets(index, &mut program);
     }
     program.targets.sort_by_key(|target| (target.file, target.span));
