@@ -12,3 +12,4 @@ mod modules;
 mod singular;
 mod talk;
 mod whole_loop;
+mod watch;
