@@ -87,6 +87,7 @@ pub fn plain(file: usize, span: Span, value: TargetValue) -> Target {
         computed: None,
         configuration: Configuration::default(),
         external_axes: Vec::new(),
+        rides_along: false,
         uses: Vec::new(),
     }
 }

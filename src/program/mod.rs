@@ -11,3 +11,4 @@ pub mod number;
 pub mod scan;
 pub mod selection;
 pub mod target;
+pub mod ties;

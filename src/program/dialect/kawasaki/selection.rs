@@ -69,7 +69,7 @@ fn tool(program: &mut Program, file: usize, span: Span, name: &str, pose: Pose, 
 
 /// Defines a frame of the job.
 pub(super) fn frame(program: &mut Program, file: usize, span: Span, name: &str, pose: Pose) {
-    let value = Ok(FrameData { pose, held_by_robot: false });
+    let value = Ok(FrameData { pose, held_by_robot: false, on: None });
     program.frames.insert(Program::key(name), Definition { file, span, value });
 }
 

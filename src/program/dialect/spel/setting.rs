@@ -121,7 +121,7 @@ impl Definitions {
             program.tools.insert(number.to_string(), Definition { file, span, value });
         }
         for (number, (file, span, value)) in self.locals.into_iter().chain([zero()]) {
-            let value = value.map(|pose| FrameData { pose, held_by_robot: false });
+            let value = value.map(|pose| FrameData { pose, held_by_robot: false, on: None });
             let value = value.map_err(|reason| format!("local {number}: {reason}"));
             program.frames.insert(number.to_string(), Definition { file, span, value });
         }

@@ -16,7 +16,9 @@ const FLANGE: &str = "flange";
 /// Files the frames and tools of a job. One whose father is in no file of the job is left to the cell file.
 pub(super) fn define(data: &Data, changes: &Changes, program: &mut Program) {
     let place = |value| Definition { file: 0, span: Span::default(), value };
-    program.frames.insert(WORLD.into(), place(Ok(FrameData { pose: Pose::identity(), held_by_robot: false })));
+    program
+        .frames
+        .insert(WORLD.into(), place(Ok(FrameData { pose: Pose::identity(), held_by_robot: false, on: None })));
     let flange = ToolData { pose: Pose::identity(), held_by_robot: true, load: None };
     program.tools.insert(FLANGE.into(), Definition { file: 0, span: Span::default(), value: Ok(flange) });
     for (base, variable) in &data.0 {
@@ -26,7 +28,7 @@ pub(super) fn define(data: &Data, changes: &Changes, program: &mut Program) {
             match variable.kind {
                 Kind::Frame => {
                     if let Some(pose) = chain(data, changes, base, key, WORLD) {
-                        let value = pose.map(|pose| FrameData { pose, held_by_robot: false });
+                        let value = pose.map(|pose| FrameData { pose, held_by_robot: false, on: None });
                         program.frames.insert(name, Definition { file, span, value });
                     }
                 }
