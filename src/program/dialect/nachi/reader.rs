@@ -22,12 +22,6 @@ pub(super) fn read(sources: &[Source]) -> Program {
         One::read(file, source, &mut program).finish(&mut targets);
     }
     targets.finish(&mut program);
-    let moved = |target: &&Target| target.external_axes.iter().any(|axis| axis.value != 0.0);
-    let note = program.targets.iter().find(moved).map(|target| {
-        let message = "further mechanisms move: a robot that one of them carries is taken to stand at its zero";
-        Diagnostic::note("travel-axis", message).at(target.file, target.span, "such as this")
-    });
-    program.diagnostics.extend(note);
     program
 }
 
