@@ -11,6 +11,7 @@ mod hyundai;
 mod inform;
 mod kawasaki;
 mod krl;
+mod nachi;
 mod rapid;
 mod spel;
 mod urscript;
@@ -27,6 +28,7 @@ pub const DIALECTS: &[&dyn Dialect] = &[
     &kawasaki::Kawasaki,
     &val3::Val3,
     &spel::Spel,
+    &nachi::Nachi,
 ];
 
 /// What there is to know about a language without reading a program.
