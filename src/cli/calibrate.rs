@@ -9,6 +9,7 @@ use crate::identify::summary::summarise;
 use crate::learn;
 use crate::learn::choose::{Candidate, Learned};
 use crate::model::arm::ArmModel;
+use crate::report::html;
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
@@ -34,6 +35,9 @@ pub struct Args {
     /// Where to write the report as JSON
     #[arg(long, value_name = "REPORT.json")]
     json: Option<PathBuf>,
+    /// Where to write the report as a page with plots
+    #[arg(long, value_name = "REPORT.html")]
+    html: Option<PathBuf>,
     /// Standard uncertainty of a measured position per axis, for records that state none
     #[arg(long, value_name = "MM", value_parser = positive)]
     sigma_mm: Option<f64>,
@@ -86,6 +90,9 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     if let Some(path) = &args.json {
         let learner = learned.as_ref().map(LearnerReport::of);
         output::write_json(path, &WholeReport { report: &report, learner })?;
+    }
+    if let Some(path) = &args.html {
+        output::write(path, html::calibration(&report).as_bytes())?;
     }
     tell_person(&report, console);
     Ok(Exit::Done)

@@ -9,6 +9,7 @@ mod calibrate;
 mod console;
 mod correct;
 mod diagnose;
+mod diagnosed;
 mod exit;
 mod inspect;
 mod job;
