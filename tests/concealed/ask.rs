@@ -2,8 +2,8 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
-use std::time::Instant;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 
 use falsetarget::base::text::Source;
 use falsetarget::diagnose::diagnosis::diagnose;
@@ -17,6 +17,9 @@ use nalgebra::Vector3;
 use serde_json::Value;
 
 use crate::trial::Trial;
+
+/// Time that a program has for its answer, whatever else the machine does.
+const MOST: Duration = Duration::from_secs(300);
 
 /// What a diagnosis said.
 pub struct Answer {
@@ -60,9 +63,9 @@ fn command(program: &str, trial: &Trial) -> Result<Answer, String> {
     {
         fs::write(place(name), text).expect("a file");
     }
-    let run = |words: &[&str]| Command::new(program).args(words).current_dir(folder.path()).output().expect("a run");
+    let run = |words: &[&str]| run(Command::new(program).args(words).current_dir(folder.path()));
     let begun = Instant::now();
-    let diagnosed = run(&[
+    let complaint = run(&[
         "diagnose",
         "--model",
         "robot.yaml",
@@ -75,9 +78,24 @@ fn command(program: &str, trial: &Trial) -> Result<Answer, String> {
     ]);
     let seconds = begun.elapsed().as_secs_f64();
     let report = fs::read(place("d.json")).ok().and_then(|bytes| serde_json::from_slice(&bytes).ok());
-    let Some(report) = report else { return Err(String::from_utf8_lossy(&diagnosed.stderr).into_owned()) };
+    let Some(report) = report else { return Err(complaint) };
     run(&["predict", "--model", "updated.yaml", "--recording", "poses.csv", "-o", "p.csv"]);
     Ok(Answer { report, predicted_m: points_of(&place("p.csv")), seconds })
+}
+
+/// Runs a program until it ends or its time is up; what it said.
+fn run(command: &mut Command) -> String {
+    let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("a program");
+    let begun = Instant::now();
+    while child.try_wait().expect("a child").is_none() {
+        if begun.elapsed() > MOST {
+            let _ = child.kill();
+            return format!("no answer within {MOST:?}");
+        }
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let output = child.wait_with_output().expect("what it said");
+    String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
 /// The points of a file that `predict` wrote, m.
