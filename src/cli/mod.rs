@@ -6,19 +6,26 @@ use clap::{Parser, Subcommand};
 
 mod batch;
 mod calibrate;
+mod census;
 mod console;
 mod correct;
 mod diagnose;
 mod diagnosed;
 mod exit;
+mod in_order;
 mod inspect;
+mod items;
 mod job;
 mod load;
 mod output;
 mod plan;
 mod predict;
+mod record;
+mod report_file;
 mod robots;
+mod shop;
 mod simulate;
+mod summary;
 mod tell;
 mod validate;
 

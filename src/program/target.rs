@@ -80,6 +80,8 @@ pub struct FrameData {
     pub pose: Pose,
     /// True when the robot holds the work piece (with a stationary tool).
     pub held_by_robot: bool,
+    /// The mechanical unit that moves the frame: `pose` then counts from where the cell file has that unit.
+    pub on: Option<Arc<str>>,
 }
 
 /// A mass.
@@ -108,6 +110,8 @@ pub struct Target {
     pub configuration: Configuration,
     /// Values of additional axes, as written (mm or deg).
     pub external_axes: Vec<ExternalAxis>,
+    /// True for a pose in coordinates that travel with the robot on a track; else the frame stands in the cell.
+    pub rides_along: bool,
     /// The moves that go there, in the order in which they stand in the program.
     pub uses: Vec<Use>,
 }
@@ -265,9 +269,23 @@ impl Program {
     pub fn key(name: &str) -> String {
         name.to_lowercase()
     }
+
+    /// True for a target of the job's own files, or one in a file that it only reads to which its own moves go: what
+    /// else stands there concerns other jobs.
+    pub fn concerns(&self, target: &Target) -> bool {
+        !self.read_only.contains(&target.file) || target.uses.iter().any(|one| !self.read_only.contains(&one.file))
+    }
 }
 
 impl Target {
+    /// Adds a move that goes there. Most targets have one: no room is kept for more.
+    pub fn add_use(&mut self, one: Use) {
+        if self.uses.is_empty() {
+            self.uses.reserve_exact(1);
+        }
+        self.uses.push(one);
+    }
+
     /// `cartesian` or `joint`, as reports say it.
     pub fn kind(&self) -> &'static str {
         match self.value {
