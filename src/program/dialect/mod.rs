@@ -5,15 +5,30 @@ use crate::base::text::{Encoding, Source};
 use super::number::NumberRules;
 use super::target::Program;
 
+mod aptcl;
+mod csv;
+mod drl;
 mod fanuc;
+mod gcode;
 mod hyundai;
 mod inform;
 mod rapid;
+mod script;
+mod stated;
 mod urscript;
 
 /// Every language that the tool reads.
-pub const DIALECTS: &[&dyn Dialect] =
-    &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform, &urscript::UrScript];
+pub const DIALECTS: &[&dyn Dialect] = &[
+    &rapid::Rapid,
+    &hyundai::Hyundai,
+    &fanuc::Fanuc,
+    &inform::Inform,
+    &urscript::UrScript,
+    &csv::Csv,
+    &gcode::GCode,
+    &aptcl::AptCl,
+    &drl::Drl,
+];
 
 /// What there is to know about a language without reading a program.
 #[derive(Clone, Copy, Debug)]
