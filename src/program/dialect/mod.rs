@@ -7,11 +7,14 @@ use super::target::Program;
 
 mod aptcl;
 mod csv;
+mod denso;
 mod drl;
 mod fanuc;
 mod gcode;
 mod hyundai;
 mod inform;
+mod melfa;
+mod pdl2;
 mod rapid;
 mod script;
 mod stated;
@@ -28,6 +31,9 @@ pub const DIALECTS: &[&dyn Dialect] = &[
     &gcode::GCode,
     &aptcl::AptCl,
     &drl::Drl,
+    &melfa::Melfa,
+    &denso::Denso,
+    &pdl2::Pdl2,
 ];
 
 /// What there is to know about a language without reading a program.

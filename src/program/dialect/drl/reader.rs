@@ -6,8 +6,7 @@ use std::sync::Arc;
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Source;
 use crate::geometry::orientation::OrientationConvention;
-use crate::program::dialect::script::{Kind, Position, Positions, Text, Tokens, joints_of, pose_of};
-use crate::program::selection::{InForce, Selections};
+use crate::program::dialect::script::{Kind, Position, Positions, Selected, Text, Tokens, joints_of, pose_of};
 use crate::program::target::{PathKind, Program, Reference, TargetValue, Use};
 
 use super::LEXIS;
@@ -44,8 +43,8 @@ pub(super) fn read(sources: &[Source]) -> Program {
             program.diagnostics.push(Diagnostic::error("truncated", message).at(file, span, ""));
         }
         let names = Names::of(text, &tokens);
-        let mut reader = Reader { file, text, names, positions: Positions::new(file), selected: Selected::default() };
-        reader.selected.follow(text, &tokens);
+        let selected = selected(text, &tokens);
+        let mut reader = Reader { file, text, names, positions: Positions::new(file), selected };
         for (index, statement) in tokens.statements.iter().enumerate() {
             reader.statement(index, statement);
         }
@@ -54,55 +53,40 @@ pub(super) fn read(sources: &[Source]) -> Program {
     program
 }
 
-/// Tools and frames by place.
-#[derive(Debug, Default)]
-struct Selected {
-    tools: Selections,
-    frames: Selections,
-    joins: Vec<usize>,
-}
-
-impl Selected {
-    fn follow(&mut self, text: Text<'_>, tokens: &Tokens) {
-        let defines = |statement: &Range<usize>| text.word(statement.start) == "DEF";
-        let functions: Vec<String> =
-            tokens.statements.iter().filter(|one| defines(one)).map(|one| text.word(one.start + 1)).collect();
-        let mut depth = 0;
-        for statement in &tokens.statements {
-            let offset = text.span(statement).start;
-            let indent = indent(text, statement);
-            // Where indentation changes, other ways may come in.
-            if indent != depth {
-                self.joins.push(offset);
-                depth = indent;
-            }
-            for at in statement.clone().filter(|&at| text.is(at + 1, b'(')) {
-                let word = text.word(at);
-                let first = || text.parts(at + 1, statement.end).and_then(|(parts, _)| parts.first().cloned());
-                match word.as_str() {
-                    "SET_TCP" => {
-                        self.tools.push(offset, first().map_or(Reference::Unnamed, |range| tool(text, &range)))
-                    }
-                    "SET_REF_COORD" => {
-                        let frame = first().map(|range| value_of(text, &range)).map(|range| reference(text, &range));
-                        self.frames.push(offset, frame.unwrap_or_default());
-                    }
-                    _ if functions.contains(&word) && !defines(statement) => {
-                        self.joins.push(text.span(statement).end);
-                    }
-                    _ => {}
+/// Follows the selections of a file.
+fn selected(text: Text<'_>, tokens: &Tokens) -> Selected {
+    let mut selected = Selected::default();
+    let defines = |statement: &Range<usize>| text.word(statement.start) == "DEF";
+    let functions: Vec<String> =
+        tokens.statements.iter().filter(|one| defines(one)).map(|one| text.word(one.start + 1)).collect();
+    let mut depth = 0;
+    for statement in &tokens.statements {
+        let offset = text.span(statement).start;
+        let indent = indent(text, statement);
+        // Where indentation changes, other ways may come in.
+        if indent != depth {
+            selected.joins.push(offset);
+            depth = indent;
+        }
+        for at in statement.clone().filter(|&at| text.is(at + 1, b'(')) {
+            let word = text.word(at);
+            let first = || text.parts(at + 1, statement.end).and_then(|(parts, _)| parts.first().cloned());
+            match word.as_str() {
+                "SET_TCP" => {
+                    selected.tools.push(offset, first().map_or(Reference::Unnamed, |range| tool(text, &range)))
                 }
+                "SET_REF_COORD" => {
+                    let frame = first().map(|range| value_of(text, &range)).map(|range| reference(text, &range));
+                    selected.frames.push(offset, frame.unwrap_or_default());
+                }
+                _ if functions.contains(&word) && !defines(statement) => {
+                    selected.joins.push(text.span(statement).end);
+                }
+                _ => {}
             }
         }
     }
-
-    fn at(&self, selections: &Selections, offset: usize, what: &str) -> Reference {
-        match selections.at(offset, &self.joins) {
-            InForce::Nothing => Reference::Unnamed,
-            InForce::Known(selected) => selected.clone(),
-            InForce::Open => Reference::Runtime(format!("several {what} are set; which holds here depends on the way")),
-        }
-    }
+    selected
 }
 
 /// The value of `name=value`.
@@ -176,8 +160,8 @@ impl Reader<'_> {
             span: self.text.span(statement),
             motion: Arc::from(motion.word.as_str()),
             path,
-            tool: self.selected.at(&self.selected.tools, offset, "TCPs"),
-            frame: frame.unwrap_or_else(|| self.selected.at(&self.selected.frames, offset, "reference frames")),
+            tool: self.selected.tool(offset),
+            frame: frame.unwrap_or_else(|| self.selected.frame(offset)),
             grip_load: Reference::Unnamed,
             computed: motion.computed.clone(),
         };

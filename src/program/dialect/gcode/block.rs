@@ -48,11 +48,12 @@ pub(super) fn block(bytes: &[u8], line: Span) -> Block {
     let mut cursor = Cursor::new(bytes, line);
     let mut block = Block::default();
     loop {
-        cursor.skip_while(|byte| byte.is_ascii_whitespace() || matches!(byte, 0xef | 0xbb | 0xbf | b'%' | b'/'));
+        cursor.skip_while(|byte| byte.is_ascii_whitespace() || matches!(byte, 0xef | 0xbb | 0xbf | b'/'));
         let start = cursor.offset();
         match cursor.peek() {
             None => break,
-            Some(b';') => {
+            // `%` opens a program, with its name behind it, or a comment (KUKA.CNC).
+            Some(b';' | b'%') => {
                 block.comments.push(Span::new(start + 1, line.end));
                 break;
             }

@@ -20,7 +20,7 @@ pub(super) enum Motion {
 }
 
 /// The modes of a control.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Modal {
     /// Group 1; nothing before the first word.
     pub motion: Option<Motion>,
@@ -30,6 +30,8 @@ pub(super) struct Modal {
     pub inches: Option<bool>,
     /// `G41`, `G42`.
     pub offset: bool,
+    /// Axis words are those of the machine: `TRAFOOF`, `#TRAFO OFF`, `#MCS ON`.
+    machine: bool,
     /// What shifts or turns all that follows, with its line.
     shifts: Vec<(&'static str, usize)>,
     /// The last value of each axis word, with the digits that it had.
@@ -49,12 +51,6 @@ const SHIFTS: [(f64, &str, f64); 7] = [
 /// Words that shift, turn or wind up the coordinates for the rest of the program.
 const SHIFTING_WORDS: [&str; 10] =
     ["TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR", "AMIRROR", "TRANSMIT", "TRACYL"];
-
-impl Default for Modal {
-    fn default() -> Self {
-        Self { motion: None, relative: false, inches: None, offset: false, shifts: Vec::new(), axes: HashMap::new() }
-    }
-}
 
 impl Modal {
     /// Takes over the G-words and keywords of a block.
@@ -83,8 +79,15 @@ impl Modal {
                 }
             }
         }
+        let says = |word: &str| block.keywords.iter().any(|keyword| keyword == word);
         for keyword in &block.keywords {
             match keyword.as_str() {
+                "TRAFOOF" => self.machine = true,
+                "TRAORI" => self.machine = false,
+                "TRAFO" => self.machine = says("OFF"),
+                "MCS" => self.machine = says("ON"),
+                "CS" if says("OFF") => self.shifts.retain(|(shift, _)| *shift != "#CS"),
+                "CS" if says("ON") => self.shifts.push(("#CS", line)),
                 "CIP" | "CT" => self.motion = Some(Motion::Arc),
                 other => {
                     let shifting = SHIFTING_WORDS.iter().find(|word| **word == other);
@@ -100,7 +103,8 @@ impl Modal {
         let relative = || self.relative.then(|| "relative to the position before (G91)".to_owned());
         let offset = || self.offset.then(|| "beside the path by the tool's radius (G41, G42)".to_owned());
         let cycle = || (self.motion == Some(Motion::Cycle)).then(|| "a drilling cycle".to_owned());
-        shift.or_else(relative).or_else(offset).or_else(cycle)
+        let machine = || self.machine.then(|| "in the machine's own axes, without transformation".to_owned());
+        shift.or_else(machine).or_else(relative).or_else(offset).or_else(cycle)
     }
 
     /// Forgets where the axes are: behind calls, jumps, reference runs.

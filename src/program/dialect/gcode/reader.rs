@@ -10,7 +10,8 @@ use crate::program::dialect::stated::Stated;
 use crate::program::number::{Insertion, NumberField};
 use crate::program::selection::{InForce, Selections};
 use crate::program::target::{
-    CartesianNumbers, Configuration, LengthUnit, PathKind, Program, Reference, Target, TargetValue, Units, Use,
+    CartesianNumbers, Configuration, Definition, LengthUnit, PathKind, Program, Reference, Target, TargetValue, Units,
+    Use,
 };
 
 use super::block::{Block, block};
@@ -140,6 +141,7 @@ impl<'a> Reader<'a> {
     fn block(&mut self, block: &Block, program: &mut Program) {
         let line = self.source.line(block.span.start);
         self.modal.take(block, line);
+        self.defined(block, line, program);
         let called =
             block.numbers("M").any(|code| matches!(code, 97.0 | 98.0)) || block.numbers("G").any(|code| code == 65.0);
         let jumped_to = self.jumps && block.word("N").is_some();
@@ -162,6 +164,26 @@ impl<'a> Reader<'a> {
         let Some(motion) = self.modal.motion.filter(|_| has_axis) else { return };
         let own_frame = code(&[53.0, 153.0]);
         self.target(block, motion, own_frame, program);
+    }
+
+    /// `$P_UIFR[1]=..` sets G54, `$TC_DP3[1,1]=..` the tool T1: their values are computed.
+    fn defined(&self, block: &Block, line: usize, program: &mut Program) {
+        let text = self.source.text(block.span).to_ascii_uppercase();
+        let number = |mark: &str| -> Option<u32> {
+            let rest = text.split_once(mark)?.1.split_once('[')?.1;
+            rest.chars().take_while(char::is_ascii_digit).collect::<String>().parse().ok()
+        };
+        let (file, span) = (self.file, block.span);
+        if let Some(index) = number("P_UIFR") {
+            let name =
+                if index <= 4 { format!("g{}", 53 + u64::from(index)) } else { format!("g{}", 500 + u64::from(index)) };
+            let value = Err(format!("it is set in line {line}"));
+            program.frames.insert(name, Definition { file, span, value });
+        }
+        if let Some(tool) = number("TC_DP") {
+            let value = Err(format!("it is set in line {line}"));
+            program.tools.insert(format!("t{tool}"), Definition { file, span, value });
+        }
     }
 
     fn is_shift(&self, block: &Block) -> bool {

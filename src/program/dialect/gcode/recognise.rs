@@ -16,7 +16,9 @@ pub(super) fn recognises(source: &Source) -> bool {
             continue;
         }
         if block.opaque || !block.keywords.is_empty() {
-            others += 1;
+            // Numbered blocks, `#TRAFO ON` and `$TC_DP3[1,1]=0` are of this language, but not of it alone.
+            let known = block.word("N").is_some() || matches!(source.slice(block.span).first(), Some(b'#' | b'$'));
+            others += usize::from(!known);
             continue;
         }
         blocks += 1;

@@ -61,6 +61,18 @@ fn what_does_not_go_where_its_words_say_is_computed() {
 }
 
 #[test]
+fn without_transformation_words_are_axes_of_the_machine() {
+    let read = program(
+        "% Using Tool 5: X62.5 Y1 Z100\nN1 TRAFOOF\nN2 G1 JT1=-46. A=71. B=49. C=-30.\nN3 TRAORI\nG1 X1. Y2. Z3. A0. B0. C0.\n#CS ON[1]\nX2.\n\
+         #CS OFF ALL\n#MCS ON\nG0 X-46. Y-6. Z-20. A71. B49. C-302.\n#MCS OFF\nG1 X1. Y2. Z3. A0. B0. C0.\n\
+         N16 $P_UIFR[1]=CTRANS(X,807.)\nN18 $TC_DP5[3,1]=-62.5\n",
+    );
+    let computed: Vec<bool> = read.targets.iter().map(|target| target.computed.is_some()).collect();
+    assert_eq!(computed, [true, false, true, true, false]);
+    assert!(read.frames["g54"].value.is_err() && read.tools["t3"].value.is_err());
+}
+
+#[test]
 fn a_tool_axis_is_written_as_a_vector_whose_missing_parts_are_zero() {
     let read = read(&[Source::new(
         "t.mpf",
@@ -101,6 +113,9 @@ fn only_gcode_is_recognised() {
     let is = |text: &str| recognises(&Source::new("t", text));
     assert!(is("%\nO1000 (POCKET)\nN10 G21 G90\nN20 G0 X0. Y0. A0. B90. C0.\n%\n"));
     assert!(is("; head\r\nTRAORI\r\nG1 X1 Y2 Z3 A3=0 B3=0 C3=1 F2000\r\nX2\r\n"));
+    assert!(is(
+        "% program: Program()\n\nN1 G90\n#HSC [BSPLINE PATH_DEV 0.0]\nN5 G54\n#TRAFO ON\nN2 G1 X1. Y2. Z3. A0. B0. C0.\n"
+    ));
     for text in [
         "",
         "G21\n",

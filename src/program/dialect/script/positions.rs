@@ -84,6 +84,19 @@ impl Positions {
             .is_some_and(|&index| self.names[index].given.is_some() || self.names[index].changed.is_some())
     }
 
+    /// The value of a name that gets one and keeps it.
+    ///
+    /// # Errors
+    /// Why the text does not say its value.
+    pub fn value(&self, key: &str, shown: &str) -> Result<&Position, String> {
+        let named = self.by_key.get(key).map(|&index| &self.names[index]);
+        match named.map(|named| (&named.changed, &named.given)) {
+            Some((Some(reason), _)) => Err(reason.clone()),
+            Some((None, Some((position, _)))) => Ok(position),
+            _ => Err(format!("`{shown}` gets no value in this file")),
+        }
+    }
+
     /// A move to a name.
     pub fn go(&mut self, key: &str, shown: &str, mention: Span, one: Use) {
         let named = self.named(key, shown);

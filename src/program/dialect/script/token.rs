@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::base::text::{Source, Span};
-use crate::program::number::{NumberField, number_at, starts_with_word};
+use crate::program::number::{Insertion, NumberField, number_at, starts_with_word};
 use crate::program::scan::Cursor;
 use crate::program::target::{CartesianNumbers, JointNumbers, Units};
 
@@ -225,6 +225,42 @@ impl<'a> Text<'a> {
             }
         }
         None
+    }
+
+    /// Divides a range at commas outside of brackets; empty parts count.
+    pub fn split(&self, range: &Range<usize>) -> Vec<Range<usize>> {
+        let (mut depth, mut start, mut parts) = (0_usize, range.start, Vec::new());
+        for at in range.clone() {
+            match self.kind(at) {
+                Some(Kind::Symbol(b'(' | b'[' | b'{')) => depth += 1,
+                Some(Kind::Symbol(b')' | b']' | b'}')) => depth = depth.saturating_sub(1),
+                Some(Kind::Symbol(b',')) if depth == 0 => {
+                    parts.push(start..at);
+                    start = at + 1;
+                }
+                _ => {}
+            }
+        }
+        parts.push(start..range.end);
+        parts
+    }
+
+    /// The numbers between the brackets of a list. One that is left out is zero, to be inserted where it would stand.
+    ///
+    /// # Errors
+    /// The part that is no plain number.
+    pub fn numbers_with_zeros(&self, parts: &[Range<usize>]) -> Result<Vec<NumberField>, Range<usize>> {
+        let left_out = |part: &Range<usize>| {
+            let at = self.tokens.get(part.start).map_or(0, |token| token.span.start);
+            let insertion = Insertion { before: String::new(), after: String::new(), repeats: false };
+            let span = Span::new(at, at);
+            NumberField { span, value: 0.0, decimals: 2, insertion: Some(Box::new(insertion)), column: None }
+        };
+        let read = |part: &Range<usize>| match part.is_empty() {
+            true => Ok(left_out(part)),
+            false => self.number(part).ok_or_else(|| part.clone()),
+        };
+        parts.iter().map(read).collect()
     }
 
     /// A number with a sign directly before it, where a range is nothing else.
