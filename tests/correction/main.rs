@@ -3,6 +3,7 @@
 
 #![allow(clippy::expect_used, reason = "a test may stop where its own preparation fails")]
 
+mod left_out;
 mod random_programs;
 mod shipped;
 mod spoil;
