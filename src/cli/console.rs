@@ -20,6 +20,16 @@ pub struct Console {
     held: Option<Mutex<String>>,
 }
 
+/// How good what is said is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    Good,
+    Mixed,
+    Bad,
+    /// Words that only lead to others.
+    Quiet,
+}
+
 impl Console {
     pub fn new() -> Self {
         let terminal = std::io::stderr().is_terminal();
@@ -42,6 +52,17 @@ impl Console {
     /// True when a person may be watching: progress is shown only then.
     pub fn is_terminal(&self) -> bool {
         self.terminal
+    }
+
+    /// Text in the colour of its tone; as it is where there is no terminal.
+    pub fn toned(&self, tone: Tone, text: &str) -> String {
+        let code = match tone {
+            Tone::Good => "1;32",
+            Tone::Mixed => "1;33",
+            Tone::Bad => "1;31",
+            Tone::Quiet => "2",
+        };
+        if self.coloured { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() }
     }
 
     /// A plain line.
@@ -93,9 +114,9 @@ impl Console {
             Failure::Input(error) => {
                 self.diagnostic(std::slice::from_ref(&error.source_text), &error.diagnostic);
             }
-            Failure::Program(source, diagnostics) => {
+            Failure::Program(sources, diagnostics) => {
                 for diagnostic in diagnostics {
-                    self.diagnostic(std::slice::from_ref(source.as_ref()), diagnostic);
+                    self.diagnostic(sources, diagnostic);
                 }
             }
             Failure::Recording(refusal) => {

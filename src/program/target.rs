@@ -3,7 +3,7 @@
 //!
 //! Everything here is what the text says, in the file's own units and frames; nothing is decided yet.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -27,6 +27,12 @@ pub struct Program {
     pub frames: BTreeMap<String, Definition<FrameData>>,
     /// Loads that the program defines itself.
     pub loads: BTreeMap<String, Definition<LoadData>>,
+    /// Loads that the program gives as all that the flange carries, centre of mass in the flange: they take the place
+    /// of the tool's own load (KUKA `$LOAD`). A [`Use::grip_load`] names one like any other load.
+    pub flange_loads: BTreeMap<String, Definition<LoadData>>,
+    /// Files that are read with the job and never written, because other jobs share them: their targets stay as they
+    /// are. Known to the one who reads files, not to the dialect.
+    pub read_only: BTreeSet<usize>,
     /// The declarations of named targets that may be copied under another name, by index of the target.
     pub declarations: BTreeMap<usize, Declaration>,
     /// What the reader has to say: broken lines, suspicious units, a missing end.
@@ -74,6 +80,8 @@ pub struct FrameData {
     pub pose: Pose,
     /// True when the robot holds the work piece (with a stationary tool).
     pub held_by_robot: bool,
+    /// The mechanical unit that moves the frame: `pose` then counts from where the cell file has that unit.
+    pub on: Option<Arc<str>>,
 }
 
 /// A mass.
@@ -102,6 +110,8 @@ pub struct Target {
     pub configuration: Configuration,
     /// Values of additional axes, as written (mm or deg).
     pub external_axes: Vec<ExternalAxis>,
+    /// True for a pose in coordinates that travel with the robot on a track; else the frame stands in the cell.
+    pub rides_along: bool,
     /// The moves that go there, in the order in which they stand in the program.
     pub uses: Vec<Use>,
 }
@@ -270,9 +280,23 @@ impl Program {
     pub fn key(name: &str) -> String {
         name.to_lowercase()
     }
+
+    /// True for a target of the job's own files, or one in a file that it only reads to which its own moves go: what
+    /// else stands there concerns other jobs.
+    pub fn concerns(&self, target: &Target) -> bool {
+        !self.read_only.contains(&target.file) || target.uses.iter().any(|one| !self.read_only.contains(&one.file))
+    }
 }
 
 impl Target {
+    /// Adds a move that goes there. Most targets have one: no room is kept for more.
+    pub fn add_use(&mut self, one: Use) {
+        if self.uses.is_empty() {
+            self.uses.reserve_exact(1);
+        }
+        self.uses.push(one);
+    }
+
     /// `cartesian` or `joint`, as reports say it.
     pub fn kind(&self) -> &'static str {
         match self.value {

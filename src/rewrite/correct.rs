@@ -118,13 +118,15 @@ impl Work<'_> {
     /// The outcome of every target, digits not yet rounded.
     fn all(&self, visits: &[Visit], approaches: &[[f64; DOF]]) -> Vec<TargetOutcome> {
         let count = self.job.program.targets.len();
-        let mut of_target: Vec<Vec<Arrival<'_>>> = vec![Vec::new(); count];
-        for (visit, approach) in visits.iter().zip(approaches) {
-            of_target[visit.target].push((visit, approach));
+        let mut arrivals: Vec<Arrival<'_>> = visits.iter().zip(approaches).collect();
+        arrivals.sort_by_key(|(visit, _)| visit.target);
+        let mut of_target: Vec<&[Arrival<'_>]> = vec![&[]; count];
+        for group in arrivals.chunk_by(|(one, _), (other, _)| one.target == other.target) {
+            of_target[group[0].0.target] = group;
         }
         let mut outcomes = vec![TargetOutcome::left(Class::Computed, None); count];
         for index in in_order_of_dependence(self.job.program) {
-            outcomes[index] = self.target(index, &of_target[index], &outcomes);
+            outcomes[index] = self.target(index, of_target[index], &outcomes);
         }
         outcomes
     }
@@ -139,6 +141,11 @@ impl Work<'_> {
         };
         if by_text_alone {
             return TargetOutcome::left(class, reason);
+        }
+        if self.job.program.read_only.contains(&target.file) {
+            let reason = "stands in a file that other programs share, which is never written";
+            let class = if class == Class::Joint { Class::Joint } else { Class::Computed };
+            return TargetOutcome::left(class, reason.to_string());
         }
         match self.false_target(index, arrivals, outcomes) {
             Ok(figures) => TargetOutcome {
@@ -193,11 +200,8 @@ impl Work<'_> {
         approach: [f64; DOF],
         outcomes: &[TargetOutcome],
     ) -> Result<Figures, Obstacle> {
-        let setting = self.settings.get(visit.setting).as_ref().map_err(Obstacle::clone)?;
-        let nominal_rad = visit.nominal_rad.clone().map_err(|obstacle| {
-            let reason = words::with_travel(obstacle.reason, &self.job.program.targets[index]);
-            Obstacle { reason, ..obstacle }
-        })?;
+        let setting = &*self.settings.at(visit.setting, &self.job.program.targets[index])?;
+        let nominal_rad = visit.nominal_rad.clone()?;
         let conditions = Conditions { approach, payload: setting.payload, ..Conditions::default() };
         let figures = match &self.job.program.targets[index].value {
             TargetValue::Displaced(displacement) => {

@@ -237,6 +237,7 @@ impl<'a> Reader<'a> {
             computed,
             configuration: Configuration::default(),
             external_axes: Vec::new(),
+            rides_along: false,
             uses: vec![one],
         });
     }

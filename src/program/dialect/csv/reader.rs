@@ -223,6 +223,7 @@ impl List<'_> {
             computed: None,
             configuration: Configuration { near_joints_deg, ..Configuration::default() },
             external_axes: external_axes.collect(),
+            rides_along: false,
             uses: vec![one],
         });
     }

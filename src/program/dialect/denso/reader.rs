@@ -160,7 +160,7 @@ impl Reader<'_> {
             let value = pose.map(|pose| ToolData { pose, held_by_robot: true, load: None });
             program.tools.insert(key, Definition { file, span, value });
         } else {
-            let value = pose.map(|pose| FrameData { pose, held_by_robot: false });
+            let value = pose.map(|pose| FrameData { pose, held_by_robot: false, on: None });
             program.frames.insert(key, Definition { file, span, value });
         }
     }

@@ -214,7 +214,7 @@ impl Reader<'_> {
         let name = format!("Base {} in line {line}", self.text.show(operand));
         let frame = match self.constant(operand) {
             Ok(world_t_base) => {
-                let value = Ok(FrameData { pose: world_t_base.inverse(), held_by_robot: false });
+                let value = Ok(FrameData { pose: world_t_base.inverse(), held_by_robot: false, on: None });
                 let definition = Definition { file: self.file, span: self.text.span(operand), value };
                 program.frames.insert(Program::key(&name), definition);
                 Reference::Named(name.into())

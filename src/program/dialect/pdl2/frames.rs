@@ -113,7 +113,7 @@ impl Frames {
                 let names: Vec<&str> = [&base, &user].into_iter().flatten().map(|(name, _)| name.as_str()).collect();
                 let name = names.join(", ");
                 let pose = |held: &Option<(String, Pose)>| held.as_ref().map_or(Pose::identity(), |(_, pose)| *pose);
-                let value = Ok(FrameData { pose: pose(&base).inverse() * pose(&user), held_by_robot: false });
+                let value = Ok(FrameData { pose: pose(&base).inverse() * pose(&user), held_by_robot: false, on: None });
                 program.frames.insert(Program::key(&name), Definition { file, span, value });
                 Reference::Named(name.into())
             }

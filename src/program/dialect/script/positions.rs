@@ -133,6 +133,7 @@ impl Positions {
             computed: changed.or(reason),
             configuration: position.configuration,
             external_axes: position.external_axes,
+            rides_along: false,
             uses,
         }
     }
