@@ -11,5 +11,5 @@ mod main_job;
 mod modules;
 mod singular;
 mod talk;
-mod whole_loop;
 mod watch;
+mod whole_loop;
