@@ -1,5 +1,6 @@
 //! What every robot language owes, tried on every shipped program and on damaged copies of it.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use falsetarget::base::text::{Source, Span};
@@ -12,12 +13,20 @@ fn programs_folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("programs")
 }
 
-/// The shipped programs of a dialect; notes and cell files beside them are none.
-fn shipped(dialect: &dyn Dialect) -> Vec<Source> {
+/// The folders of a dialect's shipped programs: its own, and one for each program whose language wants a folder.
+fn folders(dialect: &dyn Dialect) -> Vec<PathBuf> {
     let folder = programs_folder().join(dialect.meta().id);
-    let mut paths: Vec<_> = std::fs::read_dir(&folder)
-        .map(|entries| entries.filter_map(|entry| Some(entry.ok()?.path())).collect())
-        .unwrap_or_default();
+    let entries = std::fs::read_dir(&folder).into_iter().flatten().filter_map(Result::ok);
+    let mut folders: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(|path| path.is_dir()).collect();
+    folders.push(folder);
+    folders.sort();
+    folders
+}
+
+/// The shipped programs of a folder; notes and cell files beside them are none.
+fn in_folder(folder: &Path) -> Vec<Source> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
+    let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
     paths.sort();
     let is_program = |path: &PathBuf| {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
@@ -25,6 +34,26 @@ fn shipped(dialect: &dyn Dialect) -> Vec<Source> {
     };
     let read = |path: PathBuf| Source::new(path.display().to_string(), std::fs::read(&path).unwrap_or_default());
     paths.into_iter().filter(is_program).map(read).collect()
+}
+
+/// All shipped programs of a dialect.
+fn shipped(dialect: &dyn Dialect) -> Vec<Source> {
+    folders(dialect).iter().flat_map(|folder| in_folder(folder)).collect()
+}
+
+/// The shipped jobs of a dialect: files that belong together, then those that all share.
+fn jobs(dialect: &dyn Dialect) -> Vec<Vec<Source>> {
+    let name = |source: &Source| source.name().rsplit(['/', '\\']).next().unwrap_or_default().to_string();
+    let is_shared = |source: &Source| dialect.shared_files().contains(&name(source).as_str());
+    let in_one = |folder: &PathBuf| {
+        let (shared, own): (Vec<Source>, Vec<Source>) = in_folder(folder).into_iter().partition(is_shared);
+        let mut jobs: BTreeMap<String, Vec<Source>> = BTreeMap::new();
+        for source in own {
+            jobs.entry(dialect.job_of(&name(&source))).or_default().push(source);
+        }
+        jobs.into_values().map(|own| own.into_iter().chain(shared.clone()).collect()).collect::<Vec<Vec<Source>>>()
+    };
+    folders(dialect).iter().flat_map(in_one).collect()
 }
 
 fn fields(target: &Target) -> Vec<&NumberField> {
@@ -37,12 +66,15 @@ fn fields(target: &Target) -> Vec<&NumberField> {
 }
 
 /// The laws of spans: everything lies inside its file, and what is said to be a number reads as that number.
-fn check_spans(source: &Source, program: &Program) -> Result<(), String> {
-    let file = Span::new(0, source.bytes().len());
-    let mut seen: Vec<Span> = Vec::new();
+fn check_spans(sources: &[Source], program: &Program) -> Result<(), String> {
+    let mut seen: Vec<(usize, Span)> = Vec::new();
     for (index, target) in program.targets.iter().enumerate() {
         let place = format!("target {index} {:?} at {:?}", target.name, target.span);
-        if target.file != 0 || !file.contains(target.span) {
+        let whole = |file: usize| sources.get(file).map(|source| Span::new(0, source.bytes().len()));
+        let Some((source, file)) = sources.get(target.file).zip(whole(target.file)) else {
+            return Err(format!("{place}: in no file"));
+        };
+        if !file.contains(target.span) {
             return Err(format!("{place}: outside of its file"));
         }
         for field in fields(target) {
@@ -59,7 +91,7 @@ fn check_spans(source: &Source, program: &Program) -> Result<(), String> {
             if again.as_ref().map(|again| (again.value, again.span)) != Some((field.value, field.span)) {
                 return Err(format!("{place}: {:?} is not {}", source.text(field.span), field.value));
             }
-            seen.push(field.span);
+            seen.push((target.file, field.span));
         }
         if let TargetValue::Displaced(displacement) = &target.value {
             let base = program.targets.get(displacement.base).map(|base| &base.value);
@@ -70,12 +102,14 @@ fn check_spans(source: &Source, program: &Program) -> Result<(), String> {
         if matches!(target.value, TargetValue::Unwritten) && target.computed.is_none() {
             return Err(format!("{place}: no numbers and no reason"));
         }
-        if let Some(used) = target.uses.iter().find(|used| used.file != 0 || !file.contains(used.span)) {
+        if let Some(used) =
+            target.uses.iter().find(|used| !whole(used.file).is_some_and(|file| file.contains(used.span)))
+        {
             return Err(format!("{place}: its use at {:?} is outside of the file", used.span));
         }
     }
     seen.sort();
-    match seen.windows(2).find(|pair| pair[0].end > pair[1].start) {
+    match seen.windows(2).find(|pair| pair[0].0 == pair[1].0 && pair[0].1.end > pair[1].1.start) {
         Some(pair) => Err(format!("two numbers share bytes: {pair:?}")),
         None => Ok(()),
     }
@@ -104,10 +138,10 @@ fn every_shipped_program_is_recognised_by_its_own_dialect_only() {
 #[test]
 fn every_shipped_program_has_targets_with_true_spans() {
     for dialect in DIALECTS {
-        for source in shipped(*dialect) {
-            let program = dialect.read(std::slice::from_ref(&source));
-            assert!(program.targets.iter().any(|target| !target.uses.is_empty()), "{}", source.name());
-            check_spans(&source, &program).unwrap_or_else(|law| panic!("{}: {law}", source.name()));
+        for sources in jobs(*dialect) {
+            let program = dialect.read(&sources);
+            assert!(program.targets.iter().any(|target| !target.uses.is_empty()), "{}", sources[0].name());
+            check_spans(&sources, &program).unwrap_or_else(|law| panic!("{}: {law}", sources[0].name()));
         }
     }
 }
@@ -131,7 +165,8 @@ fn read_by_all(bytes: Vec<u8>) -> Result<(), TestCaseError> {
     for dialect in DIALECTS {
         let _ = dialect.recognises(&source);
         let program = dialect.read(std::slice::from_ref(&source));
-        check_spans(&source, &program).map_err(|law| TestCaseError::fail(format!("{}: {law}", dialect.meta().id)))?;
+        check_spans(std::slice::from_ref(&source), &program)
+            .map_err(|law| TestCaseError::fail(format!("{}: {law}", dialect.meta().id)))?;
     }
     Ok(())
 }

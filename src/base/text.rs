@@ -195,6 +195,14 @@ impl Source {
         }
     }
 
+    /// True for data that is no text in any encoding that robots use: more than a tenth of control characters.
+    pub fn is_binary(&self) -> bool {
+        const LOOKED_AT: usize = 4096;
+        let start = &self.bytes[..self.bytes.len().min(LOOKED_AT)];
+        let is_control = |byte: &&u8| byte.is_ascii_control() && !byte.is_ascii_whitespace();
+        start.iter().filter(is_control).count() * 10 > start.len()
+    }
+
     /// How characters are spelled. `multibyte` is the code page that the file's dialect uses where it is not UTF-8.
     pub fn encoding(&self, multibyte: Option<Encoding>) -> Encoding {
         if self.bytes.is_ascii() {
@@ -242,5 +250,12 @@ mod tests {
         assert_eq!(Source::new("t", b"gr\xfcn".to_vec()).encoding(None), Encoding::Latin1);
         let korean = b"\xbf\xeb\xc1\xa2".to_vec();
         assert_eq!(Source::new("t", korean).encoding(Some(Encoding::Cp949)), Encoding::Cp949);
+    }
+
+    #[test]
+    fn text_in_any_code_page_is_not_binary() {
+        assert!(!Source::new("t", "").is_binary());
+        assert!(!Source::new("t", [&b"\xbf\xeb\xc1\xa2\r\n".repeat(9)[..], b"\x1a"].concat()).is_binary());
+        assert!(Source::new("t", b"M\0O\0D\0U\0L\0E\0".to_vec()).is_binary());
     }
 }

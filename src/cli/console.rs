@@ -20,6 +20,16 @@ pub struct Console {
     held: Option<Mutex<String>>,
 }
 
+/// How good what is said is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    Good,
+    Mixed,
+    Bad,
+    /// Words that only lead to others.
+    Quiet,
+}
+
 impl Console {
     pub fn new() -> Self {
         let terminal = std::io::stderr().is_terminal();
@@ -39,9 +49,25 @@ impl Console {
         }
     }
 
+    /// What it has held, instead of saying it.
+    pub fn into_text(self) -> String {
+        self.held.map(|held| held.into_inner().unwrap_or_else(PoisonError::into_inner)).unwrap_or_default()
+    }
+
     /// True when a person may be watching: progress is shown only then.
     pub fn is_terminal(&self) -> bool {
         self.terminal
+    }
+
+    /// Text in the colour of its tone; as it is where there is no terminal.
+    pub fn toned(&self, tone: Tone, text: &str) -> String {
+        let code = match tone {
+            Tone::Good => "1;32",
+            Tone::Mixed => "1;33",
+            Tone::Bad => "1;31",
+            Tone::Quiet => "2",
+        };
+        if self.coloured { format!("\x1b[{code}m{text}\x1b[0m") } else { text.to_string() }
     }
 
     /// A plain line.
@@ -93,9 +119,9 @@ impl Console {
             Failure::Input(error) => {
                 self.diagnostic(std::slice::from_ref(&error.source_text), &error.diagnostic);
             }
-            Failure::Program(source, diagnostics) => {
+            Failure::Program(sources, diagnostics) => {
                 for diagnostic in diagnostics {
-                    self.diagnostic(std::slice::from_ref(source.as_ref()), diagnostic);
+                    self.diagnostic(sources, diagnostic);
                 }
             }
             Failure::Recording(refusal) => {

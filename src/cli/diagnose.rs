@@ -2,12 +2,17 @@
 
 use std::path::PathBuf;
 
-use crate::diagnose::diagnosis::diagnose;
+use crate::diagnose::diagnosis::{Diagnosis, diagnose};
 use crate::diagnose::updated::updated;
 use crate::files::calibration;
+use crate::measure::recording::Recording;
 use crate::report::diagnosis::DiagnosisReport;
+use crate::report::html::{self, DiagnosisPage};
+use crate::report::sketch::sketch;
+use crate::report::trace::{Trace, trace, unexplained_traces};
 
 use super::console::Console;
+use super::diagnosed;
 use super::exit::{Exit, Failure};
 use super::load;
 use super::output;
@@ -30,6 +35,9 @@ pub struct Args {
     /// Where to write the diagnosis as JSON
     #[arg(long, value_name = "D.json")]
     json: Option<PathBuf>,
+    /// Where to write the diagnosis as a page with plots
+    #[arg(long, value_name = "D.html")]
+    html: Option<PathBuf>,
     /// Seed of everything that is drawn
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -49,25 +57,25 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     if let Some(path) = &args.json {
         output::write_json(path, &report)?;
     }
-    tell_person(&report, console);
+    if let Some(path) = &args.html {
+        output::write(path, page(&diagnosis, &recordings, &report).as_bytes())?;
+    }
+    diagnosed::tell(&report, console);
     Ok(Exit::Done)
 }
 
-fn tell_person(report: &DiagnosisReport, console: &Console) {
-    console.say(&report.statement);
-    for finding in &report.findings {
-        console.say(&format!("  found: {} (p {:.1e})", finding.statement, finding.evidence.p_value));
-        for rival in &finding.alternatives {
-            console.say(&format!("    or {} at the {}: this recording cannot tell", rival.effect, rival.location));
-        }
-    }
-    if let Some(unexplained) = &report.unexplained {
-        console.say(&format!("  unexplained: {}", unexplained.statement));
-    }
-    if !report.outliers.is_empty() {
-        console.say(&format!("  left out: records {}", report.outliers.join(", ")));
-    }
-    for next in &report.next_measurements {
-        console.say(&format!("  next: {}, because {}", next.what, next.why));
-    }
+fn page(diagnosis: &Diagnosis<'_>, recordings: &[Recording], report: &DiagnosisReport) -> String {
+    let estimate = &diagnosis.estimate;
+    let names: Vec<String> = recordings.iter().map(|recording| recording.name.clone()).collect();
+    let traces: Vec<Trace> = diagnosis.findings.iter().map(|finding| trace(estimate, &finding.instance)).collect();
+    let unexplained = diagnosis.unexplained.as_ref().map(|one| unexplained_traces(estimate, one)).unwrap_or_default();
+    let sketch = sketch(estimate);
+    html::diagnosis(&DiagnosisPage {
+        robot: &estimate.fit.state.model.robot.name,
+        recordings: &names,
+        report,
+        traces: &traces,
+        unexplained: &unexplained,
+        sketch: sketch.as_ref(),
+    })
 }

@@ -40,8 +40,8 @@ pub enum Failure {
     #[error(transparent)]
     Input(#[from] FileError),
     /// A program is wrong.
-    #[error("{} cannot be used", .0.name())]
-    Program(Box<Source>, Vec<Diagnostic>),
+    #[error("{} cannot be used", .0.first().map_or("the program", Source::name))]
+    Program(Vec<Source>, Vec<Diagnostic>),
     /// The options do not fit together, or name something that does not exist.
     #[error("{0}")]
     Usage(String),

@@ -1,5 +1,6 @@
 //! `falsetarget inspect`: what targets a program holds.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -8,11 +9,12 @@ use crate::report::targets::{FileReport, TargetsReport, files};
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
-use super::{load, output};
+use super::{job, load, output};
 
 /// List every target of a program: where it stands, what it is, which moves use it, and what `correct` could do with it
 ///
-/// No model is needed: the class says what the text alone tells. `corrected` means correctable.
+/// No model is needed: the class says what the text alone tells. `corrected` means correctable. Files that belong to
+/// a given one (KUKA .dat beside a .src) are read and listed with it.
 #[derive(clap::Args)]
 pub struct Args {
     /// Take the files as this language instead of telling it from their content
@@ -30,9 +32,18 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     let mut reports = Vec::new();
     let standard_input = [PathBuf::from("-")];
     let programs = if args.programs.is_empty() { &standard_input[..] } else { &args.programs };
+    let mut read = BTreeSet::new();
     for path in programs {
-        let source = if path.as_os_str() == "-" { load::standard_input()? } else { load::source(path)? };
-        let loaded = load::program(source, args.dialect)?;
+        let is_standard_input = path.as_os_str() == "-";
+        if !is_standard_input && read.contains(path.display().to_string().as_str()) {
+            continue;
+        }
+        let loaded = match is_standard_input {
+            true => job::of_standard_input(args.dialect)?,
+            false => job::of_file(path, args.dialect)?,
+        };
+        // A file that came with an earlier one is listed there.
+        read.extend(loaded.sources[..loaded.own].iter().map(|source| source.name().to_string()));
         for diagnostic in &loaded.program.diagnostics {
             console.diagnostic(&loaded.sources, diagnostic);
         }

@@ -1,17 +1,15 @@
-//! Reading: files into sources, names into robots, programs into targets.
+//! Reading: files into sources, names into robots.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use crate::base::diagnostic::{Diagnostic, Severity};
-use crate::base::text::{Source, Span};
+use crate::base::text::Source;
 use crate::files::calibration::{self, Calibration};
 use crate::files::cell::{self, Cell};
 use crate::files::{builtin, recording, robot};
 use crate::measure::recording::Recording;
 use crate::model::robot::Robot;
 use crate::program::dialect::{self, DIALECTS, Dialect};
-use crate::program::target::Program;
 
 use super::exit::Failure;
 
@@ -74,74 +72,6 @@ pub fn cell(path: Option<&Path>) -> Result<Cell, Failure> {
     match path {
         Some(path) => Ok(cell::read(&source(path)?)?),
         None => Ok(Cell::default()),
-    }
-}
-
-/// The dialect of a program: as asked for, or as its content says.
-pub fn dialect_of(source: &Source, wanted: Option<&'static dyn Dialect>) -> Result<&'static dyn Dialect, Failure> {
-    let refuse = |diagnostic: Diagnostic| Err(Failure::Program(Box::new(source.clone()), vec![diagnostic]));
-    let first_line = source.lines().next().unwrap_or_default();
-    if source.bytes().iter().all(u8::is_ascii_whitespace) {
-        return refuse(Diagnostic::error("empty-file", "the program is empty").at(0, Span::new(0, 0), ""));
-    }
-    let found = dialect::detect(source);
-    match (wanted, found) {
-        (Some(wanted), Some(found)) if wanted.meta().id != found.meta().id => refuse(
-            Diagnostic::error("dialect", format!("this is {}, not {}", found.meta().title, wanted.meta().title))
-                .at(0, first_line, "")
-                .help(format!("leave --dialect out, or say --dialect {}", found.meta().id)),
-        ),
-        (Some(wanted), _) => Ok(wanted),
-        (None, Some(found)) => Ok(found),
-        (None, None) => {
-            let known: Vec<&str> = DIALECTS.iter().map(|dialect| dialect.meta().id).collect();
-            if is_binary(source.bytes()) {
-                let message = "this is binary data, not the text of a program";
-                let help = "an encoded or encrypted module must be saved as text where it was made";
-                return refuse(Diagnostic::error("binary", message).at(0, first_line, "").help(help));
-            }
-            refuse(
-                Diagnostic::error("dialect", "no robot language that this tool knows begins like this")
-                    .at(0, first_line, "")
-                    .help(format!("known: {}; --dialect NAME takes the file as that language", known.join(", "))),
-            )
-        }
-    }
-}
-
-/// More than a tenth of control characters: no text in any encoding that robots use.
-fn is_binary(bytes: &[u8]) -> bool {
-    const LOOKED_AT: usize = 4096;
-    let start = &bytes[..bytes.len().min(LOOKED_AT)];
-    let is_control = |byte: &&u8| byte.is_ascii_control() && !byte.is_ascii_whitespace();
-    start.iter().filter(is_control).count() * 10 > start.len()
-}
-
-/// A program read from its files.
-pub struct Loaded {
-    pub sources: Vec<Source>,
-    pub dialect: &'static dyn Dialect,
-    pub program: Program,
-}
-
-/// Reads a program; warnings and notes stay in it for the caller to show.
-///
-/// # Errors
-/// [`Failure::Program`] when its language is unknown, it holds errors, or it was forced into a language in which it
-/// has nothing to say.
-pub fn program(source: Source, wanted: Option<&'static dyn Dialect>) -> Result<Loaded, Failure> {
-    let dialect = dialect_of(&source, wanted)?;
-    let sources = vec![source];
-    let program = dialect.read(&sources);
-    let mut errors: Vec<Diagnostic> =
-        program.diagnostics.iter().filter(|finding| finding.severity == Severity::Error).cloned().collect();
-    if program.targets.is_empty() && errors.is_empty() && dialect::detect(&sources[0]).is_none() {
-        let nothing = format!("nothing in this file reads as {}", dialect.meta().title);
-        errors.push(Diagnostic::error("dialect", nothing).at(0, sources[0].lines().next().unwrap_or_default(), ""));
-    }
-    match errors.is_empty() {
-        true => Ok(Loaded { sources, dialect, program }),
-        false => Err(Failure::Program(Box::new(sources[0].clone()), errors)),
     }
 }
 

@@ -16,7 +16,8 @@ use crate::rewrite::play::{Arrival, play};
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
-use super::load::{self, Loaded};
+use super::job::{self, Loaded};
+use super::load;
 use super::output;
 
 /// Play poses or a program on a "real" robot built from an effects file
@@ -93,11 +94,11 @@ fn landings(
 ) -> Result<Exit, Failure> {
     let cell = load::cell(args.cell.as_deref())?;
     let controller = Controller::new(robot);
-    let written = load::program(load::source(program)?, args.dialect)?;
+    let written = job::of_file(program, args.dialect)?;
     let arrivals = play(&written.program, &cell, &effects.arm, &controller);
     let corrected = match &args.corrected {
         Some(path) => {
-            let loaded = load::program(load::source(path)?, args.dialect)?;
+            let loaded = job::of_file(path, args.dialect)?;
             if loaded.program.targets.len() != written.program.targets.len() {
                 return Err(Failure::Usage("the corrected program holds other targets than the program".into()));
             }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::base::units::m_from_mm;
 use crate::identify::validate::{Validation, validate};
 use crate::measure::observation::{Observation, SetName};
+use crate::report::html;
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
@@ -32,6 +33,9 @@ pub struct Args {
     /// Where to write the result as JSON
     #[arg(long, value_name = "V.json")]
     json: Option<PathBuf>,
+    /// Where to write the result as a page with plots
+    #[arg(long, value_name = "V.html")]
+    html: Option<PathBuf>,
 }
 
 pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
@@ -46,6 +50,9 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
         .map_err(|error| Failure::Usage(format!("{}: {error}", recording.name)))?;
     if let Some(path) = &args.json {
         output::write_json(path, &validation)?;
+    }
+    if let Some(path) = &args.html {
+        output::write(path, html::validation(&args.model, &recording.name, &validation).as_bytes())?;
     }
     tell_person(&validation, console);
     Ok(if validation.passed { Exit::Done } else { Exit::No })

@@ -4,7 +4,6 @@ use crate::identify::problem::Problem;
 use crate::model::arm::{ArmModel, EffectInstance};
 use crate::model::effect::{EFFECTS, Effect, JOINT_COMPLIANCE, Location, MovingFrame, Place};
 use crate::model::robot::DOF;
-use crate::model::statics::largest_torque_nm;
 
 /// A named cause that the model does not have.
 #[derive(Clone, Debug)]
@@ -51,8 +50,6 @@ const ORDER_APART: f64 = 0.5;
 const LOW_ORDERS: usize = 12;
 /// Orders at which an axis may tilt (once is geometry).
 const WOBBLE_ORDERS: [Option<f64>; 3] = [None, Some(3.0), Some(4.0)];
-/// Shares of a joint's largest torque that its friction may hold, by factors of two about the usual one.
-const HELD_SHARES: [f64; 6] = [0.0075, 0.015, 0.06, 0.12, 0.24, 0.48];
 /// Part of the records that must tell what an effect needs.
 const NEEDED_PART: f64 = 0.5;
 
@@ -70,13 +67,7 @@ pub fn candidates(model: &ArmModel, problem: &Problem<'_>) -> Vec<Candidate> {
             model.effects.iter().any(|known| known.effect.meta().id == effect.meta().id && at(known) == *location)
         };
         for location in places.into_iter().filter(|location| !known(location)) {
-            let mut instances = vec![EffectInstance { effect, location }];
-            instances.extend(companion(effect, &location, model));
-            all.extend(held_torques(&instances[0], model).into_iter().map(|held| {
-                let mut instances = instances.clone();
-                instances[0].location.reference = Some(held);
-                Candidate { instances, places: count, chosen_constants: 1 }
-            }));
+            let instances = with_companion(effect, location, model);
             all.push(Candidate { instances, places: count, chosen_constants: 0 });
         }
     }
@@ -91,21 +82,17 @@ pub fn is_told(effect: &dyn Effect, model: &ArmModel, problem: &Problem<'_>) -> 
     telling as f64 >= NEEDED_PART * problem.records.len() as f64
 }
 
-/// Friction differs between gears: the torques that a joint with play may hold, Nm, beside the usual one.
-fn held_torques(instance: &EffectInstance, model: &ArmModel) -> Vec<f64> {
-    let joint = instance.location.joint_index().filter(|_| instance.effect.meta().id == "backlash");
-    let largest_nm = joint.map_or(0.0, |joint| largest_torque_nm(&model.robot, joint));
-    if largest_nm > 0.0 { HELD_SHARES.map(|share| share * largest_nm).into() } else { Vec::new() }
-}
-
-/// A spring that is not straight has a straight part as well, which the model may lack too.
-fn companion(effect: &dyn Effect, location: &Location, model: &ArmModel) -> Option<EffectInstance> {
+/// An effect with what belongs to it: a spring that is not straight has a straight part as well, which the model may lack
+/// too.
+pub fn with_companion(effect: &'static dyn Effect, location: Location, model: &ArmModel) -> Vec<EffectInstance> {
     let bent = effect.meta().id == "joint_stiffening";
     let known = model
         .effects
         .iter()
         .any(|known| known.effect.meta().id == JOINT_COMPLIANCE.meta().id && known.location.joint == location.joint);
-    (bent && !known).then_some(EffectInstance { effect: JOINT_COMPLIANCE, location: *location })
+    let straight = (bent && !known)
+        .then_some(EffectInstance { effect: JOINT_COMPLIANCE, location: Location { reference: None, ..location } });
+    std::iter::once(EffectInstance { effect, location }).chain(straight).collect()
 }
 
 fn places_of(place: Place, model: &ArmModel) -> Vec<Location> {

@@ -5,24 +5,22 @@ use serde::Serialize;
 
 use crate::identify::calibrate::Refusal;
 use crate::identify::estimate::Estimate;
-use crate::identify::identify::identify;
-use crate::identify::problem::NoPose;
+use crate::identify::identify::{deviations, of_one_joint};
+use crate::identify::problem::{NoPose, Problem};
 use crate::identify::report::Figures;
 use crate::identify::robust;
-use crate::identify::structure::composition;
 use crate::measure::recording::{Kind, Recording};
 use crate::model::arm::{ArmModel, EffectInstance};
 use crate::model::effect::Location;
 
 use super::baseline::baseline;
-use super::evidence::{self, DECIDES};
-use super::fitted::Ground;
+use super::evidence;
+use super::fitted::{Fitted, Ground};
 use super::free::{FreeFunction, Seat};
-use super::hold_out::rms_mm;
-use super::projection::Projection;
-use super::rank::{Suspect, rank, searched, suspects};
+use super::hold_out::{Blocks, held_out_squares_m2, rms_mm};
+use super::left_over::left_over;
 use super::regressors::Regressors;
-use super::search::{Found, search};
+use super::search::{Found, search_from};
 
 /// The answer in a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -125,49 +123,43 @@ pub struct Diagnosis<'a> {
 
 /// Rounds of search and sorting out gross errors.
 const ROUNDS: usize = 2;
-/// Rivals that are told of one finding.
-const MOST_RIVALS: usize = 4;
 
 /// Says what physics a model leaves out.
 ///
 /// # Errors
 /// [`Refusal`], as for a calibration: the recording is not of this robot, or too small.
 pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) -> Result<Diagnosis<'a>, Refusal> {
-    let kind = match recordings.iter().all(|recording| recording.kind == Kind::Continuous) {
-        true => Kind::Continuous,
-        false => Kind::Static,
-    };
+    let kind = Kind::of(recordings);
     let base = baseline(given, recordings, seed)?;
     let mut kept = base.identified.kept.clone();
+    let mut bare = Fitted::bare(base.estimate().clone());
     let mut round = 0;
-    let (ground, found) = loop {
+    let found = loop {
         round += 1;
-        // The search starts from the sigmas as stated: each fit finds its own noise level.
         let ground = Ground {
             problem: base.problem.subset(&kept),
             stated: base.stated,
             state: base.estimate().fit.state.clone(),
             unknowns: base.unknowns.clone(),
         };
-        let found = search(&ground, kind, seed)?;
-        let fit = &found.fitted.estimate.fit;
-        let again = identify(&base.problem, fit.state.clone(), &fit.unknowns, base.stated)?;
-        if again.kept == kept || round == ROUNDS {
-            break (ground, found);
+        let found = search_from(&ground, bare.clone(), kind, seed)?;
+        let again = still_good(&base.problem, &found.fitted.estimate, &kept)?;
+        if again == kept || round == ROUNDS {
+            break found;
         }
-        kept = again.kept;
+        kept = again;
+        bare = Ground { problem: base.problem.subset(&kept), ..ground }.fit(&[])?;
     };
     let outliers = (0..base.problem.records.len())
         .filter(|index| !kept.contains(index))
         .map(|index| base.problem.records[index].observation.id.clone())
         .chain(base.left_out.iter().map(|left| left.id.clone()))
         .collect();
-    let before_fit = ground.fit(&[])?;
-    let before_squares = before_fit.held_out_m2(&found.blocks, None, &[]);
-    let before = errors(&before_fit.estimate, rms_mm(&before_squares));
-    let after_squares = found.fitted.held_out_m2(&found.blocks, None, &[]);
+    let before_squares = held_out_m2(&bare, &found.blocks, None);
+    let before = errors(&bare.estimate, rms_mm(&before_squares));
+    let after_squares = held_out_m2(&found.fitted, &found.blocks, None);
     let after = errors(&found.fitted.estimate, rms_mm(&after_squares));
-    let mut findings = findings(&found, &before_fit.estimate, after.held_out_rms_mm)?;
+    let mut findings = findings(&found, &bare.estimate, after.held_out_rms_mm);
     findings.sort_by(|a, b| b.share.total_cmp(&a.share));
     let unexplained = unexplained(&found)?;
     let verdict = match (findings.is_empty(), &unexplained) {
@@ -176,12 +168,12 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
         (false, Some(_)) => Verdict::PartlyExplained,
         (true, Some(_)) => Verdict::Unexplained,
     };
-    let left = composition(&found.fitted.estimate)?;
+    let left = left_over(&found, &base)?;
     Ok(Diagnosis {
         kind,
         records: recordings.iter().map(|recording| recording.observations.len()).sum(),
         noise_sigma_m: left.noise_sigma_m,
-        unexplained_sigma_m: left.unexplained_sigma_m,
+        unexplained_sigma_m: left.structure_sigma_m,
         before,
         after,
         verdict,
@@ -192,36 +184,58 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     })
 }
 
+/// The records that are no gross errors beside what was found. Many that are off by one and the same joint are physics.
+fn still_good(problem: &Problem<'_>, estimate: &Estimate<'_>, kept: &[usize]) -> Result<Vec<usize>, NoPose> {
+    let mut in_fit = vec![false; problem.records.len()];
+    for &index in kept {
+        in_fit[index] = true;
+    }
+    let limit = robust::limit(problem.records.len());
+    let mut good: Vec<bool> =
+        deviations(problem, estimate, &in_fit)?.into_iter().map(|deviation| deviation <= limit).collect();
+    let far: Vec<usize> = (0..good.len()).filter(|&index| !good[index]).collect();
+    for index in of_one_joint(problem, estimate, &far)? {
+        good[index] = true;
+    }
+    Ok((0..good.len()).filter(|&index| good[index]).collect())
+}
+
+fn held_out_m2(fitted: &Fitted<'_>, blocks: &Blocks, without: Option<usize>) -> Vec<f64> {
+    held_out_squares_m2(&fitted.estimate.problem, blocks, &fitted.projection(without))
+}
+
 fn errors(estimate: &Estimate<'_>, held_out_rms_mm: f64) -> Errors {
     let lengths = robust::lengths_of(&estimate.problem, &estimate.fit.residuals);
     let nothing = Figures { records: 0, mean_mm: 0.0, rms_mm: 0.0, std_mm: 0.0, max_mm: 0.0, p95_mm: 0.0 };
     Errors { fitted: Figures::of(&lengths).unwrap_or(nothing), held_out_rms_mm }
 }
 
-fn findings(found: &Found<'_>, before: &Estimate<'_>, held_out_rms_mm: f64) -> Result<Vec<Finding>, NoPose> {
+fn findings(found: &Found<'_>, before: &Estimate<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
     let fitted = &found.fitted;
-    let estimate = &fitted.estimate;
-    let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
-    let standing = if fitted.terms.is_empty() { Vec::new() } else { suspects(&regressors)? };
-    let whitening = estimate.problem.whitening();
-    let total = before.fit.residuals.component_mul(&whitening).norm_squared();
+    // Sums of squares in metres: the two fits have noise levels of their own.
+    let squares_m2 = |estimate: &Estimate<'_>, cost: f64| cost * estimate.spread.sigma_m.powi(2);
+    let total_m2 = squares_m2(before, before.fit.cost);
     (0..fitted.terms.len())
         .map(|term| {
             let candidate = &fitted.terms[term];
-            let (evidence, projection) = found.evidence_of(term)?;
-            let gain = projection.gain(&fitted.columns_of(term));
+            let review = &found.reviews[term];
             let (values, sigmas) = fitted.values_of(term);
-            let squares = fitted.held_out_m2(&found.blocks, Some(term), &[]);
-            let freedom = (projection.rows as f64 - projection.free as f64).max(1.0);
+            let squares = held_out_m2(fitted, &found.blocks, Some(term));
             let looked_at = evidence::looked_at(candidate.places);
-            Ok(Finding {
+            let gain = &review.gain;
+            let explained_m2 = squares_m2(&fitted.estimate, gain.explained);
+            Finding {
                 instance: candidate.instances[0],
                 values: named_values(&candidate.instances, &values, &sigmas),
                 held_out_rms_mm: [rms_mm(&squares), held_out_rms_mm],
-                p_value: evidence::p_value(gain.explained, gain.rank, projection.cost, freedom, looked_at),
-                share: gain.explained / total.max(f64::MIN_POSITIVE),
-                alternatives: rivals(found, term, evidence, &projection, &standing, &regressors),
-            })
+                p_value: evidence::p_value(gain.explained, gain.rank, review.cost, review.freedom, looked_at),
+                share: (explained_m2 / total_m2.max(f64::MIN_POSITIVE)).min(1.0),
+                alternatives: review
+                    .rivals
+                    .iter()
+                    .map(|rival| Rival { effect: rival.id(), location: *rival.location() })
+                    .collect(),
+            }
         })
         .collect()
 }
@@ -232,28 +246,6 @@ fn named_values(instances: &[EffectInstance], values: &DVector<f64>, sigmas: &DV
         .flat_map(|instance| instance.effect.meta().parameters)
         .zip(values.iter().zip(sigmas.iter()))
         .map(|(meta, (&value, &sigma))| Value { name: meta.name, unit: meta.unit, value, sigma })
-        .collect()
-}
-
-/// Named causes that would explain the records about as well in the place of a finding.
-fn rivals(
-    found: &Found<'_>,
-    term: usize,
-    evidence: f64,
-    projection: &Projection,
-    standing: &[Suspect],
-    regressors: &Regressors<'_, '_>,
-) -> Vec<Rival> {
-    let mut all = standing.to_vec();
-    all.extend(searched(regressors, projection));
-    rank(&all, projection)
-        .iter()
-        .take_while(|ranked| ranked.evidence < (evidence + DECIDES).min(0.0))
-        .filter_map(|ranked| ranked.suspect.candidate())
-        .filter(|candidate| !found.fitted.terms.iter().any(|known| known.same_as(candidate)))
-        .filter(|candidate| candidate.id() != found.fitted.terms[term].id() || candidate.chosen_constants == 0)
-        .take(MOST_RIVALS)
-        .map(|candidate| Rival { effect: candidate.id(), location: *candidate.location() })
         .collect()
 }
 

@@ -51,16 +51,29 @@ pub fn p_value(explained: f64, rank: usize, cost: f64, freedom: f64, looked_at: 
 /// Standard uncertainties by which a value may lie beyond what physics makes believable.
 const BEYOND_SIGMAS: f64 = 2.5;
 
-/// True when every number is one that physics makes believable, within its uncertainty.
+/// By how much fitted numbers speak against a cause, on the scale of [`penalised`]; `None` where they rule it out.
 ///
-/// A number that a recording hardly shows may stand anywhere within its uncertainty, so `sigmas` decides there.
-pub fn is_plausible(instances: &[EffectInstance], values: &DVector<f64>, sigmas: &DVector<f64>) -> bool {
+/// Inside the believable range nothing does. Beyond it doubt grows with the square of the number of doublings: what is
+/// usual is known to a factor, so a size is as doubtful as it is far out in proportion. A sign that the physics does not
+/// have (a spring that gives way upwards) rules a cause out. A number that a recording hardly shows may stand anywhere
+/// within its uncertainty, so `sigmas` decides there.
+pub fn doubt(instances: &[EffectInstance], values: &DVector<f64>, sigmas: &DVector<f64>) -> Option<f64> {
     let metas = instances.iter().flat_map(|instance| instance.effect.meta().parameters);
-    metas.zip(values.iter().zip(sigmas.iter())).all(|(meta, (value, sigma))| {
+    let mut all = 0.0;
+    for (meta, (value, sigma)) in metas.zip(values.iter().zip(sigmas.iter())) {
         let (low, high) = meta.plausible;
         let slack = BEYOND_SIGMAS * sigma;
-        value.is_finite() && *value >= low - slack && *value <= high + slack
-    })
+        let impossible = |bound: f64, beyond: f64| bound == 0.0 && beyond > slack;
+        if !value.is_finite() || impossible(low, -value) || impossible(high, *value) {
+            return None;
+        }
+        let bound = if *value < 0.0 { low.abs() } else { high.abs() };
+        let least = (value.abs() - slack).max(0.0);
+        if bound > 0.0 && least > bound {
+            all += (least / bound).log2().powi(2);
+        }
+    }
+    Some(all)
 }
 
 #[cfg(test)]
@@ -73,6 +86,18 @@ mod tests {
         let p = p_value(4.9646, 1, 14.9646, 11.0, 1.0);
         assert!((p - 0.05).abs() < 1e-4, "{p}");
         assert!((p_value(4.9646, 1, 14.9646, 11.0, 3.0) - 0.15).abs() < 3e-4);
+    }
+
+    #[test]
+    fn an_unusual_size_is_doubted_and_a_wrong_sign_is_impossible() {
+        let effect = *EFFECTS.iter().find(|effect| effect.meta().id == "backlash").expect("an effect");
+        let instances = [EffectInstance { effect, location: crate::model::effect::Location::at_joint(0) }];
+        let at = |value: f64| doubt(&instances, &DVector::from_element(1, value), &DVector::from_element(1, 1e-6));
+        let high = effect.meta().parameters[0].plausible.1;
+        assert_eq!(at(0.5 * high), Some(0.0));
+        assert!((at(4.0 * high + 2.5e-6).expect("a doubt") - 4.0).abs() < 1e-6);
+        assert_eq!(at(-1e-5), None);
+        assert_eq!(at(-1e-6), Some(0.0));
     }
 
     #[test]

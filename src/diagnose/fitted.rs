@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::{DMatrix, DVector};
 
 use crate::identify::estimate::{Estimate, estimate};
+use crate::identify::linear::Factor;
 use crate::identify::prior::unknown_of;
 use crate::identify::problem::{NoPose, Problem};
 use crate::identify::solve::{Fit, solve};
@@ -14,9 +15,8 @@ use crate::model::arm::EffectInstance;
 use crate::model::parameters::ParameterId;
 
 use super::candidate::Candidate;
-use super::hold_out::{Blocks, Regression, held_out_squares_m2};
 use super::projection::Projection;
-use super::regressors::extend;
+use super::regressors::{extend, side_by_side};
 
 /// What does not change during a search.
 #[derive(Clone, Debug)]
@@ -53,12 +53,37 @@ impl<'a> Ground<'a> {
         Ok(Fitted { estimate, terms: terms.to_vec(), spans })
     }
 
-    /// Fits these causes with the sigmas of another fit, to compare the two.
+    /// Fits these causes, the noise level with them, from where another fit stands.
+    ///
+    /// # Arguments
+    /// * `fresh` - whitened columns of the causes that are new, which then stand at the end of `terms`: the fit starts from
+    ///   the solution of the linear problem. Empty: it starts with the new ones at zero.
+    ///
+    /// # Errors
+    /// [`NoPose`] when the model cannot place a record.
+    pub fn refit(&self, from: &Fitted<'a>, terms: &[Candidate], fresh: &[DMatrix<f64>]) -> Result<Fitted<'a>, NoPose> {
+        let (mut state, unknowns, spans) = self.with(terms);
+        take_over(&mut state, from, terms, &spans, &unknowns);
+        let nearer = linear_start(&state, from, &unknowns, fresh);
+        if nearer.as_ref().is_some_and(|nearer| self.problem.residuals(nearer).is_ok()) {
+            state = nearer.unwrap_or(state);
+        }
+        // Stated sigmas are lower bounds, so those stay what they are; a level that is found starts where it was found.
+        let problem = if self.stated { self.problem.clone() } else { from.estimate.problem.clone() };
+        let mut estimate = estimate(problem, state, &unknowns, self.stated)?;
+        if !self.stated {
+            estimate.scale *= from.estimate.scale;
+        }
+        Ok(Fitted { estimate, terms: terms.to_vec(), spans })
+    }
+
+    /// Fits these causes with the sigmas of another fit, from where that stands, to compare the two.
     ///
     /// # Errors
     /// [`NoPose`] as above.
     pub fn fit_like(&self, like: &Fitted<'a>, terms: &[Candidate]) -> Result<(Fit, Vec<Range<usize>>), NoPose> {
-        let (state, unknowns, spans) = self.with(terms);
+        let (mut state, unknowns, spans) = self.with(terms);
+        take_over(&mut state, like, terms, &spans, &unknowns);
         Ok((solve(&like.estimate.problem, state, &unknowns, &[])?, spans))
     }
 
@@ -79,6 +104,52 @@ impl<'a> Ground<'a> {
     }
 }
 
+/// Starts a fit where another one ended: everything that is free in both, and the causes that both have.
+fn take_over(state: &mut State, from: &Fitted<'_>, terms: &[Candidate], spans: &[Range<usize>], unknowns: &[Unknown]) {
+    let fit = &from.estimate.fit;
+    let mut copy = |to: UnknownId, value: Option<f64>| {
+        if let (Some(value), Some(now)) = (value, state.get(to)) {
+            state.add(to, value - now);
+        }
+    };
+    let common = spans.first().map_or(unknowns.len(), |span| span.start);
+    for unknown in &unknowns[..common] {
+        copy(unknown.id, fit.state.get(unknown.id));
+    }
+    for (term, span) in terms.iter().zip(spans) {
+        let before = from.terms.iter().zip(&from.spans).find(|(known, _)| known.same_as(term));
+        let Some((_, old)) = before.filter(|(_, old)| old.len() == span.len()) else { continue };
+        for (to, index) in span.clone().zip(old.clone()) {
+            copy(unknowns[to].id, fit.state.get(fit.unknowns[index].id));
+        }
+    }
+}
+
+/// Where the linear problem has its solution, when `fresh` are the columns of all unknowns that `from` did not have.
+fn linear_start(state: &State, from: &Fitted<'_>, unknowns: &[Unknown], fresh: &[DMatrix<f64>]) -> Option<State> {
+    let known = &from.estimate.fit.whitened_jacobian;
+    let fresh = side_by_side(fresh, known.nrows());
+    if fresh.ncols() == 0 || known.ncols() + fresh.ncols() != unknowns.len() {
+        return None;
+    }
+    let (rows, columns) = (known.nrows(), unknowns.len());
+    let mut stacked = DMatrix::zeros(rows + columns, columns);
+    stacked.view_mut((0, 0), known.shape()).copy_from(known);
+    stacked.view_mut((0, known.ncols()), fresh.shape()).copy_from(&fresh);
+    let mut right = DVector::zeros(rows + columns);
+    right.rows_mut(0, rows).copy_from(&-from.residuals());
+    for (index, Unknown { id, prior }) in unknowns.iter().enumerate() {
+        stacked[(rows + index, index)] = 1.0 / prior.sigma;
+        right[rows + index] = (prior.mean - state.get(*id).unwrap_or(0.0)) / prior.sigma;
+    }
+    let step = Factor::new(stacked, &right).solve(0.0);
+    let mut nearer = state.clone();
+    for (unknown, change) in unknowns.iter().zip(step.iter()) {
+        nearer.add(unknown.id, *change);
+    }
+    Some(nearer)
+}
+
 /// A diagnosis must not hold a missing cause to its usual size: half of all that is believable.
 fn wide(usual: Prior, id: ParameterId, state: &State) -> Prior {
     let ParameterId::Effect(effect, parameter) = id else { return usual };
@@ -86,6 +157,13 @@ fn wide(usual: Prior, id: ParameterId, state: &State) -> Prior {
     let believable = instance.and_then(|instance| instance.effect.meta().parameters.get(parameter));
     let half = believable.map_or(0.0, |meta| 0.5 * meta.plausible.0.abs().max(meta.plausible.1.abs()));
     Prior { sigma: usual.sigma.max(half), ..usual }
+}
+
+impl<'a> Fitted<'a> {
+    /// A fit without any cause.
+    pub fn bare(estimate: Estimate<'a>) -> Self {
+        Self { estimate, terms: Vec::new(), spans: Vec::new() }
+    }
 }
 
 impl Fitted<'_> {
@@ -134,20 +212,5 @@ impl Fitted<'_> {
         let values = span.clone().map(|index| fit.state.get(fit.unknowns[index].id).unwrap_or(0.0));
         let sigmas = span.clone().map(|index| fit.covariance_root.row(index).norm());
         (DVector::from_iterator(span.len(), values), DVector::from_iterator(span.len(), sigmas))
-    }
-
-    /// Held-out squares, m^2, with further columns, or without a term.
-    pub fn held_out_m2(&self, blocks: &Blocks, without: Option<usize>, further: &[&DMatrix<f64>]) -> Vec<f64> {
-        let (columns, sigmas, deviations, residuals) = self.without(without);
-        let extra: usize = further.iter().map(|columns| columns.ncols()).sum();
-        let mut all = columns.clone().resize_horizontally(columns.ncols() + extra, 0.0);
-        let mut next = columns.ncols();
-        for block in further {
-            all.columns_mut(next, block.ncols()).copy_from(block);
-            next += block.ncols();
-        }
-        let regression =
-            Regression { columns: &all, prior_sigmas: &sigmas, deviations: &deviations, residuals: &residuals };
-        held_out_squares_m2(&self.estimate.problem, blocks, &regression)
     }
 }

@@ -62,8 +62,8 @@ pub struct FreeFunction {
 
 /// Highest degree of a polynomial in one of two variables ...
 const DEGREE_OF_PAIR: usize = 4;
-/// ... and in a variable alone.
-const DEGREE_ALONE: usize = 8;
+/// ... and in a joint's position alone: a damaged tooth is narrow.
+const DEGREE_ALONE: usize = 20;
 /// Highest degree in a variable that is no angle.
 const DEGREE_OTHER: usize = 4;
 
@@ -93,7 +93,8 @@ pub fn free_functions(regressors: &Regressors<'_, '_>) -> Vec<FreeFunction> {
 }
 
 impl FreeFunction {
-    /// Whitened columns: the levers of the seat times Legendre polynomials of the variables over their range.
+    /// Whitened columns: the levers of the seat times Legendre polynomials of the variables over their range, each the
+    /// smaller the higher its degree, as smooth functions have it.
     pub fn columns(&self, regressors: &Regressors<'_, '_>) -> DMatrix<f64> {
         let shapes = self.shapes(regressors);
         let levers = match self.seat {
@@ -116,7 +117,7 @@ impl FreeFunction {
 
     /// The functions themselves, one value a record; the constant is left out.
     fn shapes(&self, regressors: &Regressors<'_, '_>) -> Vec<Vec<f64>> {
-        let of = |variable: Variable, degree: usize| polynomials(&values(regressors, variable), degree);
+        let of = |variable: Variable, degree: usize| smaller(polynomials(&values(regressors, variable), degree));
         match self.variables[..] {
             [Variable::Approach(joint), other] => {
                 let sense = values(regressors, Variable::Approach(joint));
@@ -156,6 +157,15 @@ pub fn values(regressors: &Regressors<'_, '_>, variable: Variable) -> Vec<f64> {
             }
         })
         .collect()
+}
+
+/// Each function divided by its number: what a smooth function has of them at most, up to a common factor.
+fn smaller(shapes: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let divided = |(degree, shape): (usize, Vec<f64>)| {
+        let by = (1 + degree) as f64;
+        shape.into_iter().map(|value| value / by).collect()
+    };
+    shapes.into_iter().enumerate().map(divided).collect()
 }
 
 /// Smallest and largest; `None` when they are as good as equal.

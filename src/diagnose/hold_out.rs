@@ -1,12 +1,13 @@
 //! Held-out figures: whole regions of joint space (or stretches of time in motion) are left out in turn.
 
-use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
 
-use crate::identify::linear::Factor;
 use crate::identify::problem::Problem;
 use crate::identify::split::regions;
 use crate::measure::observation::Observation;
 use crate::measure::recording::Kind;
+
+use super::projection::Projection;
 
 /// Records in a block, about.
 const BLOCK: usize = 24;
@@ -36,54 +37,34 @@ impl Blocks {
     }
 }
 
-/// A linear regression that is cross-validated.
-pub struct Regression<'a> {
-    /// Whitened columns.
-    pub columns: &'a DMatrix<f64>,
-    /// Prior widths of the first columns; the others have none.
-    pub prior_sigmas: &'a [f64],
-    /// Their deviations from the prior means, in those widths.
-    pub deviations: &'a [f64],
-    /// Whitened residuals, model minus measurement.
-    pub residuals: &'a DVector<f64>,
-}
-
-/// Squared length of each record's held-out position residual, m^2.
-pub fn held_out_squares_m2(problem: &Problem<'_>, blocks: &Blocks, regression: &Regression<'_>) -> Vec<f64> {
+/// Squared length of each record's held-out position residual, m^2: what the linearised fit without a record's block says
+/// of it.
+///
+/// Exact without any refit: with `H = Q Q'` the hat matrix, the residuals of block b from a fit to all others are
+/// `(I - H_bb)^-1 r_b` (Cook and Weisberg 1982, 2.2; the jackknife of blocks).
+pub fn held_out_squares_m2(problem: &Problem<'_>, blocks: &Blocks, projection: &Projection) -> Vec<f64> {
     let firsts = problem.first_rows();
-    let mut squares = vec![0.0; problem.records.len()];
-    for block in 0..blocks.count {
-        let inside = |record: usize| blocks.of_record.get(record) == Some(&block);
-        let training: Vec<usize> = (0..problem.records.len())
-            .filter(|&record| !inside(record))
-            .flat_map(|record| firsts[record]..firsts[record] + problem.records[record].measured.numbers())
+    let of_block = |block: usize| {
+        let members: Vec<usize> =
+            (0..problem.records.len()).filter(|&record| blocks.of_record.get(record) == Some(&block)).collect();
+        let rows: Vec<usize> = members
+            .iter()
+            .flat_map(|&record| firsts[record]..firsts[record] + problem.records[record].measured.numbers())
             .collect();
-        let change = solved(regression, &training);
-        let left = regression.residuals + regression.columns * change;
-        for (record, square) in squares.iter_mut().enumerate() {
-            if inside(record) {
-                let sigma_m = problem.records[record].sigma_m;
-                *square = left.fixed_rows::<3>(firsts[record]).norm_squared() * sigma_m * sigma_m;
-            }
-        }
+        let left = projection.held_out(&rows);
+        let mut row = 0;
+        let square = |record: usize| {
+            let length = left.fixed_rows::<3>(row).norm();
+            row += problem.records[record].measured.numbers();
+            (record, (length * problem.records[record].sigma_m).powi(2))
+        };
+        members.into_iter().map(square).collect::<Vec<_>>()
+    };
+    let mut squares = vec![0.0; problem.records.len()];
+    for (record, square) in (0..blocks.count).into_par_iter().flat_map_iter(of_block).collect::<Vec<_>>() {
+        squares[record] = square;
     }
     squares
-}
-
-fn solved(regression: &Regression<'_>, training: &[usize]) -> DVector<f64> {
-    let (columns, priors) = (regression.columns.ncols(), regression.prior_sigmas.len());
-    let rows = training.len().max(columns);
-    let mut stacked = DMatrix::zeros(rows + priors, columns);
-    let mut right = DVector::zeros(rows + priors);
-    for (row, &from) in training.iter().enumerate() {
-        stacked.row_mut(row).copy_from(&regression.columns.row(from));
-        right[row] = -regression.residuals[from];
-    }
-    for (index, (sigma, deviation)) in regression.prior_sigmas.iter().zip(regression.deviations).enumerate() {
-        stacked[(rows + index, index)] = 1.0 / sigma;
-        right[rows + index] = -deviation;
-    }
-    Factor::new(stacked, &right).solve(0.0)
 }
 
 /// Root mean square of distances, mm.

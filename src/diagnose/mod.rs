@@ -1,16 +1,21 @@
 //! Floor 6: what the model leaves out, found in a recording and named. See docs/diagnosis.md.
 
 pub mod baseline;
+pub mod calibration;
 pub mod candidate;
+pub mod check;
 pub mod diagnosis;
 pub mod evidence;
 pub mod fitted;
 pub mod free;
 pub mod hold_out;
+pub mod left_over;
 pub mod projection;
 pub mod rank;
 pub mod regressors;
+pub mod review;
 pub mod scan;
 pub mod search;
 pub mod statement;
 pub mod updated;
+pub mod worth;

@@ -20,6 +20,19 @@ pub struct Projection {
     pub free: usize,
 }
 
+/// See [`Projection::probe`].
+#[derive(Clone, Debug)]
+pub struct Probe {
+    directions: DMatrix<f64>,
+}
+
+impl Probe {
+    /// Reduction of the sum of squares of residuals from which everything free is projected out.
+    pub fn explained(&self, residuals: &DVector<f64>) -> f64 {
+        self.directions.tr_mul(residuals).norm_squared()
+    }
+}
+
 /// What a candidate explains.
 #[derive(Clone, Debug)]
 pub struct Gain {
@@ -36,6 +49,9 @@ pub struct Gain {
 /// Directions of a candidate of which less than this part (of length) is its own are not looked at: what is left of
 /// them is the error of the linearisation.
 const OWN_PART: f64 = 0.004;
+
+/// Sizes of a smooth function that are tried, by half decades.
+const SIZES: usize = 14;
 
 impl Projection {
     /// Projects out `free` (whitened Jacobian) with priors (`prior_sigmas`), from residuals and deviations from the
@@ -104,13 +120,37 @@ impl Projection {
         }
     }
 
+    /// What a fit without these rows leaves there: `(I - H_bb)^-1 r_b`.
+    pub fn held_out(&self, rows: &[usize]) -> DVector<f64> {
+        let own = self.basis.select_rows(rows);
+        let left = self.residuals.select_rows(rows);
+        let inner = DMatrix::identity(rows.len(), rows.len()) - &own * own.transpose();
+        // A number that these rows alone determine cannot be held out: what they leave themselves is all there is.
+        inner.cholesky().map_or(left.clone(), |factor| factor.solve(&left))
+    }
+
     /// What these columns (whitened) explain of the residuals.
     pub fn gain(&self, columns: &DMatrix<f64>) -> Gain {
         self.gain_of(columns, &self.residuals)
     }
 
+    /// Orthonormal directions of a candidate beyond what is free, to ask many residuals for.
+    pub fn probe(&self, columns: &DMatrix<f64>) -> Probe {
+        let along = self.basis.tr_mul(columns);
+        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
+        let (mut vectors, roots) = own_directions(&gram);
+        for (mut vector, root) in vectors.column_iter_mut().zip(&roots) {
+            vector /= *root;
+        }
+        let mut unit = columns.clone();
+        for (mut column, length) in unit.column_iter_mut().zip(lengths_of(columns)) {
+            column /= length;
+        }
+        Probe { directions: unit * vectors }
+    }
+
     /// What these columns explain of other residuals (a permutation, say) in the same projection.
-    pub fn gain_of(&self, columns: &DMatrix<f64>, residuals: &DVector<f64>) -> Gain {
+    fn gain_of(&self, columns: &DMatrix<f64>, residuals: &DVector<f64>) -> Gain {
         let count = columns.ncols();
         let along = self.basis.tr_mul(columns);
         let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
@@ -136,6 +176,42 @@ impl Projection {
         let freedom = (self.rows as f64 - self.free as f64 - roots.len() as f64).max(1.0);
         let variance = (self.cost - explained).max(0.0) / freedom;
         Gain { explained, rank: roots.len(), values, sigmas: variances.map(|own: f64| (own * variance).sqrt()) }
+    }
+
+    /// What a smooth function explains whose columns (whitened, the least smooth the smallest) all have one unknown size: the
+    /// gain of ridge regression at the size with the strongest evidence (type-II maximum likelihood, MacKay 1992), and that
+    /// evidence on the scale of [`super::evidence::penalised`].
+    ///
+    /// Its price is the dimensions that the records really show, `sum ln(1 + a l_i)`, not all that it could have.
+    pub fn smooth_gain(&self, columns: &DMatrix<f64>, looked_at: f64) -> (Gain, f64) {
+        let along = self.basis.tr_mul(columns);
+        let gram = columns.tr_mul(columns) - along.tr_mul(&along);
+        let slope = columns.tr_mul(&self.residuals);
+        let largest = columns.column_iter().map(|column| column.norm_squared()).fold(0.0, f64::max);
+        let eigen = nalgebra::SymmetricEigen::new(gram);
+        let parts = eigen.eigenvectors.tr_mul(&slope);
+        let own: Vec<(f64, f64)> = eigen
+            .eigenvalues
+            .iter()
+            .zip(parts.iter())
+            .filter(|(own, _)| **own > OWN_PART * OWN_PART * largest)
+            .map(|(&own, part)| (own, part * part / own))
+            .collect();
+        let rows = self.rows as f64;
+        let strongest = own.iter().map(|(own, _)| *own).fold(0.0, f64::max);
+        let mut best = (0.0, f64::INFINITY);
+        for step in 0..SIZES {
+            let size = 0.1 * 10f64.powf(0.5 * step as f64) / strongest.max(f64::MIN_POSITIVE);
+            let explained: f64 = own.iter().map(|(own, square)| square * size * own / (1.0 + size * own)).sum();
+            let price: f64 = own.iter().map(|(own, _)| (size * own).ln_1p()).sum();
+            let left = (1.0 - explained / self.cost).max(1e-12);
+            let evidence = rows * left.ln() + price + rows.ln() + 2.0 * looked_at.ln();
+            if evidence < best.1 {
+                best = (explained, evidence);
+            }
+        }
+        let nothing = DVector::zeros(0);
+        (Gain { explained: best.0, rank: own.len(), values: nothing.clone(), sigmas: nothing }, best.1)
     }
 
     /// Residuals of other data after all that is free is projected out (what priors hold back left aside).
@@ -211,6 +287,23 @@ mod tests {
         assert!((gain.values[0] + solved[5]).abs() < 1e-8);
         let further = projection.with(&columns.columns(0, 1).into_owned());
         assert!(further.cost < projection.cost && further.free == 6);
+    }
+
+    #[test]
+    fn held_out_rows_are_those_of_a_fit_without_them() {
+        let free = sample(60, 5, 0.0);
+        let y = DVector::from_fn(60, |i, _| (i as f64 * 1.7).cos());
+        let projection = Projection::new(&free, &[2.0; 5], &y, &[0.0; 5]);
+        let held: Vec<usize> = (12..24).collect();
+        let kept: Vec<usize> = (0..60).filter(|row| !held.contains(row)).collect();
+        let mut stacked = DMatrix::zeros(kept.len() + 5, 5);
+        stacked.rows_mut(0, kept.len()).copy_from(&free.select_rows(&kept));
+        stacked.view_mut((kept.len(), 0), (5, 5)).fill_diagonal(0.5);
+        let mut right = DVector::zeros(kept.len() + 5);
+        right.rows_mut(0, kept.len()).copy_from(&y.select_rows(&kept));
+        let solved = stacked.svd(true, true).solve(&right, 1e-12).expect("factors");
+        let expected = y.select_rows(&held) - free.select_rows(&held) * solved;
+        assert!((projection.held_out(&held) - expected).norm() < 1e-9);
     }
 
     #[test]

@@ -70,13 +70,12 @@ pub fn suspects(regressors: &Regressors<'_, '_>) -> Result<Vec<Suspect>, NoPose>
     Ok(all)
 }
 
-/// The suspects whose order or moment is searched for in this projection.
+/// The suspects whose order, moment or torque is searched for in this projection.
 pub fn searched(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Suspect> {
-    scan::orders(regressors, projection)
+    scan::searched(regressors, projection)
         .into_iter()
-        .chain(scan::moments(regressors, projection))
         .map(|candidate| Suspect {
-            columns: regressors.through(&candidate.instances[0]),
+            columns: scan::columns_through(regressors, &candidate.instances),
             looked_at: evidence::looked_at(candidate.places),
             cause: Cause::Named(candidate),
         })
@@ -89,13 +88,16 @@ pub fn rank<'s>(suspects: &'s [Suspect], projection: &Projection) -> Vec<Ranked<
     let mut all: Vec<Ranked<'s>> = suspects
         .par_iter()
         .filter_map(|suspect| {
-            let gain = projection.gain(&suspect.columns);
-            let evidence = suspect.evidence(&gain, projection);
-            let believable = match &suspect.cause {
-                Cause::Named(candidate) => evidence::is_plausible(&candidate.instances, &gain.values, &gain.sigmas),
-                Cause::Free(_) => true,
+            let (gain, evidence) = match &suspect.cause {
+                Cause::Named(candidate) => {
+                    let gain = projection.gain(&suspect.columns);
+                    let doubt = evidence::doubt(&candidate.instances, &gain.values, &gain.sigmas)?;
+                    let evidence = suspect.evidence(&gain, projection) + doubt;
+                    (gain, evidence)
+                }
+                Cause::Free(_) => projection.smooth_gain(&suspect.columns, suspect.looked_at),
             };
-            (believable && gain.rank > 0).then_some(Ranked { suspect, gain, evidence })
+            (gain.rank > 0).then_some(Ranked { suspect, gain, evidence })
         })
         .collect();
     // Equal ones stay in the order of the registry: differences below this are rounding.

@@ -3,10 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use crate::geometry::real::DUAL_WIDTH;
 use crate::identify::problem::{NoPose, Problem, Record};
 use crate::identify::state::State;
-use crate::identify::unknown::{Prior, Unknown, UnknownId};
+use crate::identify::unknown::UnknownId;
 use crate::model::arm::{ArmModel, ArmState, EffectInstance};
 use crate::model::effect::{Context, EFFECTS, Location, Place, Response, Setting};
 use crate::model::parameters::{ParameterId, RowQuantity};
@@ -18,11 +17,12 @@ use super::candidate::Candidate;
 /// Part of its usual size by which a parameter is changed to see what it does: small enough for what is not
 /// proportional to it to vanish.
 const STEP: f64 = 1e-6;
+/// The same for effects that change loads or move links: large enough for the equilibrium to be settled beside it.
+const DIFFERENCE: f64 = 0.1;
+/// Turn or shift, rad or m, by which levers are found.
+const MOVED: f64 = 1e-5;
 /// An order that stays at its start over any joint range.
 const NEVER_ROUND: f64 = 1e-12;
-
-/// A prior for columns that are only differentiated.
-const ANY: Prior = Prior { mean: 0.0, sigma: 1.0 };
 
 /// Derivatives at one state, whitened, from which the columns of candidates are made.
 pub struct Regressors<'a, 'p> {
@@ -52,26 +52,14 @@ impl<'a, 'p> Regressors<'a, 'p> {
     /// [`NoPose`] when the model cannot place a record.
     pub fn new(problem: &'p Problem<'a>, state: &'p State) -> Result<Self, NoPose> {
         let whitening = problem.whitening();
+        let stands = problem.stands(state)?;
         let ids = |ids: Vec<ParameterId>| -> Result<DMatrix<f64>, NoPose> {
-            let unknowns: Vec<Unknown> =
-                ids.into_iter().map(|id| Unknown { id: UnknownId::Model(id), prior: ANY }).collect();
-            Ok(whitened(problem.jacobian(state, &unknowns)?, &whitening))
+            let changes: Vec<(UnknownId, f64)> = ids.into_iter().map(|id| (UnknownId::Model(id), MOVED)).collect();
+            Ok(whitened(problem.differences(state, &stands, &changes)?, &whitening))
         };
-        let prepared = state.model.prepared();
-        let stands = problem
-            .records
-            .par_iter()
-            .enumerate()
-            .map(|(index, record)| {
-                let observation = record.observation;
-                prepared.at(&observation.numbers_rad, &observation.conditions, None).map_err(|error| NoPose {
-                    record: index,
-                    id: observation.id.clone(),
-                    line: observation.line,
-                    error,
-                })
-            })
-            .collect::<Result<_, _>>()?;
+        let joints = ids((0..DOF).map(|joint| ParameterId::Row(joint, RowQuantity::Offset)).collect())?;
+        let base = ids((0..6).map(ParameterId::Base).collect())?;
+        let tool = ids((0..6).map(ParameterId::Tool).collect())?;
         let record_of = problem
             .records
             .iter()
@@ -81,9 +69,9 @@ impl<'a, 'p> Regressors<'a, 'p> {
         let mut all = Self {
             record_of,
             stands,
-            joints: ids((0..DOF).map(|joint| ParameterId::Row(joint, RowQuantity::Offset)).collect())?,
-            base: ids((0..6).map(ParameterId::Base).collect())?,
-            tool: ids((0..6).map(ParameterId::Tool).collect())?,
+            joints,
+            base,
+            tool,
             tilts: DMatrix::zeros(0, 0),
             problem,
             state,
@@ -111,7 +99,7 @@ impl<'a, 'p> Regressors<'a, 'p> {
         &self.state.model
     }
 
-    /// Derivatives of every candidate at zero: through the levers where it acts through those, else by dual numbers.
+    /// Derivatives of every candidate at zero: through the levers where it acts through those, else by differences.
     ///
     /// # Errors
     /// [`NoPose`] when the model cannot place a record.
@@ -164,32 +152,27 @@ impl<'a, 'p> Regressors<'a, 'p> {
     }
 
     fn exact(&self, instances: &[EffectInstance]) -> Result<Vec<DMatrix<f64>>, NoPose> {
-        let count = |instance: &EffectInstance| instance.effect.meta().parameters.len();
-        let mut columns = Vec::with_capacity(instances.len());
-        let mut rest = instances;
-        while !rest.is_empty() {
-            let (mut taken, mut width) = (0, 0);
-            while taken < rest.len() && (taken == 0 || width + count(&rest[taken]) <= DUAL_WIDTH) {
-                width += count(&rest[taken]);
-                taken += 1;
-            }
-            let all = self.derivatives(&rest[..taken])?;
-            let mut first = 0;
-            for instance in &rest[..taken] {
-                columns.push(all.columns(first, count(instance)).into_owned());
-                first += count(instance);
-            }
-            rest = &rest[taken..];
-        }
-        Ok(columns)
+        let all = self.derivatives(instances)?;
+        let mut first = 0;
+        let block = |instance: &EffectInstance| {
+            let count = instance.effect.meta().parameters.len();
+            first += count;
+            all.columns(first - count, count).into_owned()
+        };
+        Ok(instances.iter().map(block).collect())
     }
 
     fn derivatives(&self, instances: &[EffectInstance]) -> Result<DMatrix<f64>, NoPose> {
-        let mut state = self.state.clone();
-        let ids = extend(&mut state.model, instances);
-        let unknowns: Vec<Unknown> =
-            ids.into_iter().map(|id| Unknown { id: UnknownId::Model(id), prior: ANY }).collect();
-        Ok(whitened(self.problem.jacobian(&state, &unknowns)?, &self.whitening))
+        // One effect at a time: one that is off costs time all the same.
+        let block = |instance: &EffectInstance| {
+            let mut state = self.state.clone();
+            let ids = extend(&mut state.model, std::slice::from_ref(instance));
+            let steps = instance.effect.meta().parameters.iter().map(|meta| DIFFERENCE * meta.typical);
+            let changes: Vec<(UnknownId, f64)> = ids.into_iter().map(UnknownId::Model).zip(steps).collect();
+            self.problem.differences(&state, &self.stands, &changes)
+        };
+        let blocks: Vec<DMatrix<f64>> = instances.par_iter().map(block).collect::<Result<_, _>>()?;
+        Ok(whitened(side_by_side(&blocks, self.record_of.len()), &self.whitening))
     }
 
     /// The columns of an effect that acts through the levers: its own response to a small parameter times the levers.
@@ -266,7 +249,8 @@ pub fn extend(model: &mut ArmModel, instances: &[EffectInstance]) -> Vec<Paramet
     ids
 }
 
-fn side_by_side(blocks: &[DMatrix<f64>], rows: usize) -> DMatrix<f64> {
+/// Matrices of as many rows side by side.
+pub fn side_by_side(blocks: &[DMatrix<f64>], rows: usize) -> DMatrix<f64> {
     if let [only] = blocks {
         return only.clone();
     }

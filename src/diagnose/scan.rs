@@ -1,12 +1,14 @@
-//! The fine search over constants of a place: the order of a periodic error, the moment of a step.
+//! The fine search over constants of a place: the order of a periodic error, the moment of a step, the torque at which a
+//! drive changes its behaviour.
 
+use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use crate::model::arm::EffectInstance;
 use crate::model::effect::{EFFECTS, Effect, Location, Place};
 use crate::model::robot::DOF;
 
-use super::candidate::{Candidate, FRAMES, is_told};
+use super::candidate::{Candidate, FRAMES, is_told, with_companion};
 use super::evidence;
 use super::free::{Variable, values};
 use super::projection::Projection;
@@ -14,6 +16,9 @@ use super::regressors::Regressors;
 
 /// Highest order: twice a harmonic drive's ratio of 101, with room.
 const HIGHEST_ORDER: f64 = 212.0;
+/// Lowest order that is searched for between whole numbers: the output's own orders are whole, and a shaft before it turns
+/// several times as fast.
+const LOWEST_ORDER: f64 = 3.0;
 /// Points of the grid on one line's width (one over the range in revolutions): a line between two points loses 5 %.
 const POINTS_ON_A_LINE: f64 = 4.0;
 /// Joints that turn less than this part of a revolution show no order.
@@ -22,11 +27,114 @@ const SMALLEST_RANGE: f64 = 0.05;
 const FEWEST_ON_A_SIDE: usize = 8;
 /// Moments tried at first.
 const MOMENTS: usize = 48;
-/// Rounds of narrowing an order.
+/// Rounds of narrowing a constant.
 const NARROWINGS: usize = 12;
+/// Effects that change their behaviour at a torque, with the smallest and largest such torque that is tried, in parts of
+/// the joint's largest torque in the recording, and the factor between two of them: friction holds half a per cent or nearly
+/// all; a knee below a twentieth is play, one far beyond all torques a cubic law.
+const TURNING_TORQUES: [(&str, f64, f64, f64); 2] =
+    [("backlash", 0.005, 0.8, 1.15), ("joint_stiffening", 0.05, 3.0, 1.3)];
+
+/// The best candidate of each kind and joint or frame whose constant is searched for.
+pub fn searched(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Candidate> {
+    let mut all = orders(regressors, projection);
+    all.extend(turning_torques(regressors, projection));
+    all.extend(moments(regressors, projection));
+    all
+}
+
+/// The candidate with its constant searched for again; `None` for one that has none.
+pub fn tuned(candidate: &Candidate, regressors: &Regressors<'_, '_>, projection: &Projection) -> Option<Candidate> {
+    let (effect, location) = (candidate.effect(), candidate.location());
+    let joint = location.joint_index();
+    let again = match effect.meta().place {
+        Place::JointOrder if candidate.chosen_constants > 0 => best_order(effect, joint?, regressors, projection),
+        Place::Joint if candidate.chosen_constants > 0 => {
+            let (_, low, high, factor) = TURNING_TORQUES.into_iter().find(|known| known.0 == candidate.id())?;
+            best_turning_torque(effect, joint?, (low, high, factor), regressors, projection)
+        }
+        Place::FrameMoment => moments_of(effect, regressors, projection)
+            .into_iter()
+            .find(|found| found.location().frame == location.frame),
+        _ => None,
+    }?;
+    // The straight part of a spring stays with it, wherever it came from.
+    let mut instances = candidate.instances.clone();
+    instances[0].location = *again.location();
+    Some(Candidate { instances, ..again })
+}
+
+/// The best torque at which each joint's drive may change its behaviour.
+fn turning_torques(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Candidate> {
+    let model = regressors.model();
+    let mut found = Vec::new();
+    for (id, low, high, factor) in TURNING_TORQUES {
+        let Some(&effect) = EFFECTS.iter().find(|effect| effect.meta().id == id) else { continue };
+        if !is_told(effect, model, regressors.problem) {
+            continue;
+        }
+        let known = |joint: usize| {
+            model
+                .effects
+                .iter()
+                .any(|known| known.effect.meta().id == id && known.location.joint_index() == Some(joint))
+        };
+        found.extend(
+            (0..DOF)
+                .filter(|&joint| !known(joint))
+                .filter_map(|joint| best_turning_torque(effect, joint, (low, high, factor), regressors, projection)),
+        );
+    }
+    found
+}
+
+fn best_turning_torque(
+    effect: &'static dyn Effect,
+    joint: usize,
+    (low, high, factor): (f64, f64, f64),
+    regressors: &Regressors<'_, '_>,
+    projection: &Projection,
+) -> Option<Candidate> {
+    let largest_nm =
+        values(regressors, Variable::Torque(joint)).iter().fold(0.0f64, |most, torque| most.max(torque.abs()));
+    if largest_nm < SMALLEST_TORQUE_NM {
+        return None;
+    }
+    let instances = |share: f64| {
+        let location = Location { reference: Some(share * largest_nm), ..Location::at_joint(joint) };
+        with_companion(effect, location, regressors.model())
+    };
+    let explained = |share: f64| projection.gain(&columns_through(regressors, &instances(share))).explained;
+    let count = ((high / low).ln() / factor.ln()).ceil() as usize;
+    let (best, _) = (0..=count)
+        .into_par_iter()
+        .map(|step| low * factor.powi(step as i32))
+        .map(|share| (share, explained(share)))
+        .max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let share = narrowed(best / factor, best * factor, explained);
+    Some(Candidate { instances: instances(share), places: DOF as f64, chosen_constants: 1 })
+}
+
+/// Joints that never bear more than this show no law of their torque, Nm.
+const SMALLEST_TORQUE_NM: f64 = 1e-3;
+
+/// The columns of effects that act through the levers, side by side.
+pub fn columns_through(regressors: &Regressors<'_, '_>, instances: &[EffectInstance]) -> DMatrix<f64> {
+    let blocks: Vec<DMatrix<f64>> = instances.iter().map(|instance| regressors.through(instance)).collect();
+    super::regressors::side_by_side(&blocks, regressors.record_of.len())
+}
+
+/// Where a function of one constant is largest, by thirds.
+fn narrowed(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..NARROWINGS {
+        let (left, right) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if value(left) < value(right) { low = left } else { high = right }
+    }
+    0.5 * (low + high)
+}
 
 /// The best order of each joint beyond what is free.
-pub fn orders(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Candidate> {
+fn orders(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Candidate> {
     let Some(effect) = of_place(Place::JointOrder) else { return Vec::new() };
     (0..DOF).filter_map(|joint| best_order(effect, joint, regressors, projection)).collect()
 }
@@ -46,18 +154,13 @@ fn best_order(
         projection.gain(&regressors.through(&EffectInstance { effect, location })).explained
     };
     let step = 1.0 / (POINTS_ON_A_LINE * range);
-    let count = ((HIGHEST_ORDER - 0.5) / step) as usize;
+    let count = ((HIGHEST_ORDER - LOWEST_ORDER) / step) as usize;
     let (best, _) = (0..count)
         .into_par_iter()
-        .map(|index| 0.5 + step * index as f64)
+        .map(|index| LOWEST_ORDER + step * index as f64)
         .map(|order| (order, explained(order)))
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let (mut low, mut high) = ((best - step).max(0.25), best + step);
-    for _ in 0..NARROWINGS {
-        let (left, right) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-        if explained(left) < explained(right) { low = left } else { high = right }
-    }
-    let found = 0.5 * (low + high);
+    let found = narrowed((best - step).max(LOWEST_ORDER), best + step, explained);
     // Independent lines: two for each revolution of the range and whole order, on six joints.
     let places = DOF as f64 * (2.0 * HIGHEST_ORDER * range).max(1.0);
     let rows = projection.rows;
@@ -70,9 +173,16 @@ fn best_order(
     Some(Candidate { instances: vec![EffectInstance { effect, location }], places, chosen_constants })
 }
 
-/// The best moment of a step of each frame.
-pub fn moments(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Candidate> {
+/// The best moment of a step of each frame that has none yet.
+fn moments(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Candidate> {
     let Some(effect) = of_place(Place::FrameMoment) else { return Vec::new() };
+    if !is_told(effect, regressors.model(), regressors.problem) {
+        return Vec::new();
+    }
+    moments_of(effect, regressors, projection)
+}
+
+fn moments_of(effect: &'static dyn Effect, regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Candidate> {
     let mut times: Vec<f64> =
         regressors.problem.records.iter().filter_map(|record| record.observation.conditions.time_s).collect();
     times.sort_by(f64::total_cmp);
@@ -103,11 +213,6 @@ pub fn moments(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<
         let Some((best, _)) = best_of(near.collect()) else { continue };
         found.push(Candidate { instances: vec![instance(between[best])], places, chosen_constants: 0 });
     }
-    found.retain(|candidate| {
-        let known = &regressors.model().effects;
-        is_told(candidate.effect(), regressors.model(), regressors.problem)
-            && !known.iter().any(|known| known.location == *candidate.location())
-    });
     found
 }
 

@@ -1,23 +1,25 @@
 //! Which causes are missing: found in turn, refitted together, every one tested again after each.
 
 use rand::SeedableRng;
-use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 
 use crate::identify::problem::NoPose;
 use crate::measure::recording::Kind;
 
 use super::candidate::Candidate;
+use super::check::holds;
 use super::evidence::{self, DECIDES, SMALLEST_PART};
 use super::fitted::{Fitted, Ground};
-use super::free::{FreeFunction, Seat, free_functions};
-use super::hold_out::{Blocks, fall_in_errors};
+use super::free::{FreeFunction, Seat};
+use super::hold_out::Blocks;
 use super::projection::Projection;
 use super::rank::{Cause, Ranked, Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
+use super::review::{Review, review};
+use super::scan;
 
 /// Causes that one diagnosis finds at most.
-const MOST_CAUSES: usize = 16;
+const MOST_CAUSES: usize = 40;
 /// Suspects tried in one round before giving up.
 const TRIES: usize = 6;
 /// Suspects whose full nonlinear fits are compared.
@@ -25,15 +27,17 @@ const CONTENDERS: usize = 3;
 /// Exchanges of one cause for a better one.
 const MOST_EXCHANGES: usize = 4;
 /// By how much a cause without a name must explain more than the best one with a name.
-const CLEARLY_MORE: f64 = 1.15;
+pub const CLEARLY_MORE: f64 = 1.15;
 /// Differences of evidence between full fits that count as none.
 const EQUAL: f64 = 0.05;
-/// Shuffles of the records.
-const SHUFFLES: usize = 99;
-/// Part of the shuffles that may explain as much.
-const BY_CHANCE: f64 = 0.02;
-/// Standard errors by which held-out residuals must fall.
-const SURE_FALL: f64 = 1.0;
+/// A cause that takes away more than this part of what is left moves everything else: the rest is looked at again only
+/// when all is refitted. Smaller ones are taken in on the linear problem, several between two fits.
+const LARGE: f64 = 0.1;
+/// No law is exact: what a further cause explains must be more than this part of what is explained already, seven per cent
+/// of its amplitude, not to be the error of the laws that were named.
+const LAW_ERROR: f64 = 0.005;
+/// A constant of a place is changed when the whole fit gains this much by it, on the scale of [`evidence::penalised`].
+const BETTER_CONSTANT: f64 = 2.0;
 
 /// What a search has found.
 pub struct Found<'a> {
@@ -43,56 +47,102 @@ pub struct Found<'a> {
     pub free: Vec<FreeFunction>,
     /// The blocks of held-out figures.
     pub blocks: Blocks,
+    /// Sum of squares without any cause, m^2.
+    bare_m2: f64,
+    /// What speaks for each named cause, and what could stand in its place.
+    pub reviews: Vec<Review>,
 }
-
-/// A contender by its place in the ranking, with the named causes that it makes; `None` for one without a name.
-type Choice = (usize, Option<Vec<Candidate>>);
 
 /// Looks for what is missing.
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
 pub fn search<'a>(ground: &Ground<'a>, kind: Kind, seed: u64) -> Result<Found<'a>, NoPose> {
+    search_from(ground, ground.fit(&[])?, kind, seed)
+}
+
+/// Looks for what is missing, from a fit of the ground without any cause.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn search_from<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u64) -> Result<Found<'a>, NoPose> {
     let blocks = Blocks::new(&ground.problem, kind, seed);
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut found = Found { fitted: ground.fit(&[])?, free: Vec::new(), blocks };
+    let bare_m2 = bare.estimate.fit.cost * bare.estimate.spread.sigma_m.powi(2);
+    let mut found = Found { fitted: bare, free: Vec::new(), blocks, bare_m2, reviews: Vec::new() };
     let mut exchanges = 0;
     loop {
-        while found.fitted.terms.len() + found.free.len() < MOST_CAUSES {
-            if !found.add_one(ground, &mut random)? {
-                break;
-            }
+        while found.fitted.terms.len() + found.free.len() < MOST_CAUSES && found.add_some(ground, &mut random)? {
+            found.tune(ground)?;
             found.drop_idle(ground)?;
         }
+        found.reviews = review(&found)?;
         if exchanges == MOST_EXCHANGES || !found.exchange_one(ground)? {
             return Ok(found);
         }
         exchanges += 1;
+        found.tune(ground)?;
         found.drop_idle(ground)?;
     }
 }
 
 impl<'a> Found<'a> {
     /// What is left beyond everything found, but for one named cause.
-    pub fn projection(&self, without: Option<usize>) -> Result<Projection, NoPose> {
+    pub fn projection(&self, regressors: &Regressors<'_, '_>, without: Option<usize>) -> Projection {
         let projection = self.fitted.projection(without);
-        if self.free.is_empty() {
-            return Ok(projection);
-        }
-        let fit = &self.fitted.estimate;
-        let regressors = Regressors::new(&fit.problem, &fit.fit.state)?;
-        Ok(self.free.iter().fold(projection, |projection, free| projection.with(&free.columns(&regressors))))
+        self.free.iter().fold(projection, |projection, free| projection.with(&free.columns(regressors)))
     }
 
-    fn add_one(&mut self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<bool, NoPose> {
+    /// Takes in what the residuals show; false when they show nothing more.
+    fn add_some(&mut self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<bool, NoPose> {
         let estimate = self.fitted.estimate.clone();
         let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
-        let projection = self.projection(None)?;
-        let mut all = suspects(&regressors)?;
-        all.extend(searched(&regressors, &projection));
-        let ranked = rank(&all, &projection);
-        let sound =
-            |ranked: &&Ranked<'_>| ranked.evidence < 0.0 && ranked.gain.explained > SMALLEST_PART * projection.cost;
+        let standing = suspects(&regressors)?;
+        let mut projection = self.projection(&regressors, None);
+        let (mut named, mut fresh, mut grown) = (Vec::<Candidate>::new(), Vec::new(), false);
+        while self.fitted.terms.len() + named.len() + self.free.len() < MOST_CAUSES {
+            let mut all = searched(&regressors, &projection);
+            let taken = |suspect: &&Suspect| {
+                let Some(candidate) = suspect.candidate() else { return true };
+                !named.iter().any(|known| known.same_as(candidate))
+            };
+            all.retain(|suspect| taken(&suspect));
+            all.extend(standing.iter().filter(taken).cloned());
+            let Some((suspect, part)) = self.next(ground, &all, &projection, named.is_empty(), random) else { break };
+            match suspect.cause {
+                Cause::Free(function) => self.free.push(function),
+                Cause::Named(candidate) => {
+                    named.push(candidate);
+                    fresh.push(suspect.columns.clone());
+                }
+            }
+            grown = true;
+            projection = projection.with(&suspect.columns);
+            if part > LARGE {
+                break;
+            }
+        }
+        if !named.is_empty() {
+            let terms = named.iter().fold(self.fitted.terms.clone(), |terms, one| joined(&terms, one));
+            self.fitted = ground.refit(&self.fitted, &terms, &fresh)?;
+        }
+        Ok(grown)
+    }
+
+    /// The cause that holds best, with the part of the remaining squares that it explains.
+    fn next(
+        &self,
+        ground: &Ground<'a>,
+        all: &[Suspect],
+        projection: &Projection,
+        fresh: bool,
+        random: &mut ChaCha8Rng,
+    ) -> Option<(Suspect, f64)> {
+        let ranked = rank(all, projection);
+        let named_m2 = self.bare_m2 - projection.cost * self.fitted.estimate.spread.sigma_m.powi(2);
+        let named = named_m2.max(0.0) / self.fitted.estimate.spread.sigma_m.powi(2);
+        let least = (SMALLEST_PART * projection.cost).max(LAW_ERROR * named);
+        let sound = |ranked: &&Ranked<'_>| ranked.evidence < -DECIDES && ranked.gain.explained > least;
         let named = ranked.iter().filter(sound).filter(|ranked| ranked.suspect.candidate().is_some());
         let best_named = named.map(|ranked| ranked.gain.explained).fold(0.0, f64::max);
         let worth: Vec<&Ranked<'_>> = ranked
@@ -106,30 +156,27 @@ impl<'a> Found<'a> {
             .collect();
         let mut refused: Vec<usize> = Vec::new();
         for _ in 0..worth.len() {
-            let Some(first) = (0..worth.len()).find(|index| !refused.contains(index)) else { break };
+            let first = (0..worth.len()).find(|index| !refused.contains(index))?;
             let contenders: Vec<usize> = (first..worth.len())
                 .filter(|index| !refused.contains(index))
                 .filter(|&index| worth[index].evidence < worth[first].evidence + DECIDES)
                 .take(CONTENDERS)
                 .collect();
-            let chosen = self.best_of(ground, &worth, &contenders, &projection)?;
-            let Some((chosen, terms)) = chosen else {
+            let chosen = match contenders[..] {
+                [only] => Some(only),
+                _ => self.best_of(ground, &worth, &contenders, projection, fresh),
+            };
+            let Some(chosen) = chosen else {
                 refused.extend(contenders);
                 continue;
             };
             let suspect = worth[chosen].suspect;
-            if !self.holds(suspect, &projection, random) {
-                refused.push(chosen);
-                continue;
+            if holds(&self.fitted.estimate.problem, &self.blocks, &suspect.columns, projection, random) {
+                return Some((suspect.clone(), worth[chosen].gain.explained / projection.cost));
             }
-            match (&suspect.cause, terms) {
-                (Cause::Free(function), _) => self.free.push(function.clone()),
-                (Cause::Named(_), Some(terms)) => self.fitted = ground.fit(&terms)?,
-                (Cause::Named(_), None) => {}
-            }
-            return Ok(true);
+            refused.push(chosen);
         }
-        Ok(false)
+        None
     }
 
     /// Part that must be left over by the named causes at a seat, as [`CLEARLY_MORE`] has it: a law that is right to
@@ -152,25 +199,24 @@ impl<'a> Found<'a> {
         worth: &[&Ranked<'_>],
         contenders: &[usize],
         projection: &Projection,
-    ) -> Result<Option<Choice>, NoPose> {
-        let mut best: Option<(f64, usize, Option<Vec<Candidate>>)> = None;
+        fresh: bool,
+    ) -> Option<usize> {
+        let mut best: Option<(f64, usize)> = None;
         for &index in contenders {
-            let suspect = worth[index].suspect;
-            let (evidence, terms) = match &suspect.cause {
-                Cause::Free(_) => (worth[index].evidence, None),
-                Cause::Named(candidate) => {
+            let evidence = match &worth[index].suspect.cause {
+                // With further causes in the projection the full fit is another problem: the score step decides alone.
+                Cause::Named(candidate) if fresh && self.free.is_empty() => {
                     let terms = joined(&self.fitted.terms, candidate);
-                    match self.full_evidence(ground, &terms, worth[index], projection) {
-                        Some(evidence) => (evidence, Some(terms)),
-                        None => continue,
-                    }
+                    self.full_evidence(ground, &terms, worth[index], projection)
                 }
+                _ => Some(worth[index].evidence),
             };
-            if evidence < 0.0 && best.as_ref().is_none_or(|(least, ..)| evidence < *least - EQUAL) {
-                best = Some((evidence, index, terms));
+            let Some(evidence) = evidence else { continue };
+            if evidence < 0.0 && best.is_none_or(|(least, _)| evidence < least - EQUAL) {
+                best = Some((evidence, index));
             }
         }
-        Ok(best.map(|(_, index, terms)| (index, terms)))
+        best.map(|(_, index)| index)
     }
 
     /// Evidence from the nonlinear refit of everything; `None` when it ends with numbers that nobody believes, or
@@ -183,137 +229,117 @@ impl<'a> Found<'a> {
         projection: &Projection,
     ) -> Option<f64> {
         let (fit, spans) = ground.fit_like(&self.fitted, terms).ok()?;
-        let believable = terms.iter().zip(&spans).all(|(term, span)| {
+        let mut doubt = 0.0;
+        for (term, span) in terms.iter().zip(&spans) {
             let values = span.clone().map(|index| fit.state.get(fit.unknowns[index].id).unwrap_or(0.0));
             let sigmas = span.clone().map(|index| fit.covariance_root.row(index).norm());
             let (values, sigmas) = (values.collect::<Vec<_>>().into(), sigmas.collect::<Vec<_>>().into());
-            evidence::is_plausible(&term.instances, &values, &sigmas)
-        });
-        // With unnamed causes in the projection the full fit is another problem: the score step decides alone.
-        if !self.free.is_empty() {
-            return believable.then_some(ranked.evidence);
+            doubt += evidence::doubt(&term.instances, &values, &sigmas)?;
         }
         let mut gain = ranked.gain.clone();
         gain.explained = self.fitted.estimate.fit.cost - fit.cost;
-        believable.then(|| ranked.suspect.evidence(&gain, projection))
+        Some(ranked.suspect.evidence(&gain, projection) + doubt)
     }
 
-    /// Held-out records improve, and shuffled ones do not.
-    fn holds(&self, suspect: &Suspect, projection: &Projection, random: &mut ChaCha8Rng) -> bool {
-        let before = self.fitted.held_out_m2(&self.blocks, None, &[]);
-        let after = self.fitted.held_out_m2(&self.blocks, None, &[&suspect.columns]);
-        if fall_in_errors(&before, &after) < SURE_FALL {
-            return false;
-        }
-        self.shuffled(suspect, projection, random) <= BY_CHANCE
-    }
-
-    /// Part of the shuffles of residuals over records that explain as much (Freedman and Lane 1983).
-    fn shuffled(&self, suspect: &Suspect, projection: &Projection, random: &mut ChaCha8Rng) -> f64 {
-        let problem = &self.fitted.estimate.problem;
-        let firsts = problem.first_rows();
-        let true_gain = projection.gain(&suspect.columns).explained;
-        let mut order: Vec<usize> = (0..firsts.len()).collect();
-        let mut as_good = 0;
-        for _ in 0..SHUFFLES {
-            order.shuffle(random);
-            let mut shuffled = projection.residuals.clone();
-            for (to, &from) in order.iter().enumerate() {
-                let rows = problem.records[to].measured.numbers().min(problem.records[from].measured.numbers());
-                for row in 0..rows {
-                    shuffled[firsts[to] + row] = projection.residuals[firsts[from] + row];
-                }
-            }
-            // Shuffled residuals are no longer orthogonal to what is free: projected again.
-            let shuffled = projection.projected(&shuffled);
-            if projection.gain_of(&suspect.columns, &shuffled).explained >= true_gain {
-                as_good += 1;
-            }
-        }
-        f64::from(as_good + 1) / (SHUFFLES + 1) as f64
-    }
-
-    /// Takes out every cause that the others have made idle.
-    fn drop_idle(&mut self, ground: &Ground<'a>) -> Result<(), NoPose> {
-        loop {
-            let mut idlest: Option<(usize, f64)> = None;
-            for term in 0..self.fitted.terms.len() {
-                let evidence = self.evidence_of(term)?.0;
-                if evidence >= 0.0 && idlest.is_none_or(|(_, most)| evidence > most) {
-                    idlest = Some((term, evidence));
-                }
-            }
-            let Some((term, _)) = idlest else { return self.drop_idle_free() };
-            let mut terms = self.fitted.terms.clone();
-            terms.remove(term);
-            self.fitted = ground.fit(&terms)?;
-        }
-    }
-
-    /// The same for unnamed causes: a name found later may have made them idle.
-    fn drop_idle_free(&mut self) -> Result<(), NoPose> {
-        if self.free.is_empty() {
-            return Ok(());
-        }
+    /// Searches the constants of the places again, now that everything else is fitted beside them.
+    fn tune(&mut self, ground: &Ground<'a>) -> Result<(), NoPose> {
         let estimate = self.fitted.estimate.clone();
         let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
-        let looked_at = evidence::looked_at(free_functions(&regressors).len() as f64);
-        let mut index = 0;
-        while index < self.free.len() {
-            let others = self.free.iter().enumerate().filter(|(other, _)| *other != index);
-            let projection = others.fold(self.fitted.projection(None), |projection, (_, free)| {
-                projection.with(&free.columns(&regressors))
-            });
-            let gain = projection.gain(&self.free[index].columns(&regressors));
-            let evidence = evidence::penalised(gain.explained, projection.cost, projection.rows, gain.rank, looked_at);
-            if evidence >= 0.0 {
-                self.free.remove(index);
-            } else {
-                index += 1;
+        let mut terms = self.fitted.terms.clone();
+        let mut changed = false;
+        for (term, candidate) in self.fitted.terms.iter().enumerate() {
+            let projection = self.projection(&regressors, Some(term));
+            let Some(tuned) = scan::tuned(candidate, &regressors, &projection) else { continue };
+            let now = projection.gain(&scan::columns_through(&regressors, &candidate.instances));
+            let then = projection.gain(&scan::columns_through(&regressors, &tuned.instances));
+            let (evidence_now, evidence_then) = (
+                evidence::of_candidate(candidate, &now, projection.cost, projection.rows),
+                evidence::of_candidate(&tuned, &then, projection.cost, projection.rows),
+            );
+            if evidence_then < evidence_now - BETTER_CONSTANT {
+                terms[term] = tuned;
+                changed = true;
+            }
+        }
+        if changed {
+            let fitted = ground.refit(&self.fitted, &terms, &[])?;
+            if fitted.estimate.spread.sigma_m <= self.fitted.estimate.spread.sigma_m {
+                self.fitted = fitted;
             }
         }
         Ok(())
     }
 
+    /// Takes out every cause that the others have made idle.
+    fn drop_idle(&mut self, ground: &Ground<'a>) -> Result<(), NoPose> {
+        loop {
+            let estimate = self.fitted.estimate.clone();
+            let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
+            self.drop_idle_free(&regressors);
+            let idle = |term: usize| {
+                let evidence = self.evidence_of(&regressors, term).0;
+                (evidence >= 0.0).then_some((term, evidence))
+            };
+            let idlest = (0..self.fitted.terms.len()).filter_map(idle).max_by(|a, b| a.1.total_cmp(&b.1));
+            let Some((term, _)) = idlest else { return Ok(()) };
+            let mut terms = self.fitted.terms.clone();
+            terms.remove(term);
+            self.fitted = ground.refit(&self.fitted, &terms, &[])?;
+        }
+    }
+
+    /// The same for unnamed causes: a name found later may have made them idle.
+    fn drop_idle_free(&mut self, regressors: &Regressors<'_, '_>) {
+        let looked_at = evidence::looked_at(super::free::free_functions(regressors).len() as f64);
+        let mut index = 0;
+        while index < self.free.len() {
+            let others = self.free.iter().enumerate().filter(|(other, _)| *other != index);
+            let projection = others
+                .fold(self.fitted.projection(None), |projection, (_, free)| projection.with(&free.columns(regressors)));
+            let (gain, evidence) = projection.smooth_gain(&self.free[index].columns(regressors), looked_at);
+            let named = self.named_at(&self.free[index]);
+            if evidence >= 0.0 || gain.explained <= CLEARLY_MORE * named {
+                self.free.remove(index);
+            } else {
+                index += 1;
+            }
+        }
+    }
+
     /// Evidence against a found cause given all others, and the projection without it.
-    pub fn evidence_of(&self, term: usize) -> Result<(f64, Projection), NoPose> {
-        let projection = self.projection(Some(term))?;
+    pub fn evidence_of(&self, regressors: &Regressors<'_, '_>, term: usize) -> (f64, Projection) {
+        let projection = self.projection(regressors, Some(term));
         let gain = projection.gain(&self.fitted.columns_of(term));
         let candidate = &self.fitted.terms[term];
+        let doubt = evidence::doubt(&candidate.instances, &gain.values, &gain.sigmas).unwrap_or(f64::INFINITY);
         let evidence = evidence::of_candidate(candidate, &gain, projection.cost, projection.rows);
-        Ok((evidence, projection))
+        (evidence + doubt, projection)
     }
 
     /// Exchanges one cause for a suspect that explains more in its place.
     fn exchange_one(&mut self, ground: &Ground<'a>) -> Result<bool, NoPose> {
-        let estimate = self.fitted.estimate.clone();
-        let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
-        let standing = suspects(&regressors)?;
         for term in 0..self.fitted.terms.len() {
-            let (evidence, projection) = self.evidence_of(term)?;
-            let mut all = standing.clone();
-            all.extend(searched(&regressors, &projection));
-            let ranked = rank(&all, &projection);
-            let own = projection.gain(&self.fitted.columns_of(term)).explained;
-            let better = ranked.iter().find(|ranked| match &ranked.suspect.cause {
-                Cause::Named(candidate) => !candidate.same_as(&self.fitted.terms[term]),
-                Cause::Free(_) => ranked.gain.explained > CLEARLY_MORE * own,
-            });
-            let Some(better) = better.filter(|better| better.evidence < evidence - DECIDES) else { continue };
+            let review = &self.reviews[term];
+            let Some(better) = review.better.clone().filter(|better| better.evidence < review.evidence - DECIDES)
+            else {
+                continue;
+            };
             let mut terms = self.fitted.terms.clone();
             terms.remove(term);
-            match &better.suspect.cause {
-                Cause::Free(function) => self.free.push(function.clone()),
+            match better.cause {
+                Cause::Free(function) => {
+                    self.free.push(function);
+                    self.fitted = ground.refit(&self.fitted, &terms, &[])?;
+                }
                 Cause::Named(candidate) => {
-                    let with = joined(&terms, candidate);
+                    let with = joined(&terms, &candidate);
                     let (fit, _) = ground.fit_like(&self.fitted, &with)?;
                     if fit.cost > self.fitted.estimate.fit.cost {
                         continue;
                     }
-                    terms = with;
+                    self.fitted = ground.refit(&self.fitted, &with, &[])?;
                 }
             }
-            self.fitted = ground.fit(&terms)?;
             return Ok(true);
         }
         Ok(false)
@@ -329,7 +355,10 @@ fn joined(terms: &[Candidate], candidate: &Candidate) -> Vec<Candidate> {
             && term.id() == "joint_compliance"
             && term.location().joint == candidate.location().joint;
         if taken_in {
-            candidate.instances.extend(term.instances.iter().copied());
+            let known = |instance: &crate::model::arm::EffectInstance| instance.effect.meta().id == "joint_compliance";
+            let straight = term.instances.iter().filter(|_| !candidate.instances.iter().any(known)).copied();
+            let straight: Vec<_> = straight.collect();
+            candidate.instances.extend(straight);
         } else {
             all.push(term.clone());
         }

@@ -2,15 +2,14 @@
 //! redundant parameters stands anywhere.
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 use crate::measure::observation::{Measured, Observation};
-use crate::model::robot::{DOF, Robot};
+use crate::model::robot::Robot;
 
 use super::problem::{NoPose, Problem, Record};
 use super::state::State;
 use super::unknown::{Unknown, UnknownId};
+use super::workspace::random_poses;
 
 /// An unknown that cannot be told from others, whatever pose the arm takes.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,23 +73,12 @@ pub fn select(problem: &Problem<'_>, state: &State, unknowns: Vec<Unknown>, seed
 }
 
 fn poses_in_range(robot: &Robot, problem: &Problem<'_>, seed: u64) -> Vec<Observation> {
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let half_turn = std::f64::consts::PI;
-    let mut poses = Vec::new();
-    let mut tries = 0;
-    while poses.len() < POSES && tries < 100 * POSES && !problem.records.is_empty() {
-        tries += 1;
-        let numbers_rad: [f64; DOF] = std::array::from_fn(|joint| {
-            let limits = &robot.joints[joint];
-            let (low, high) = (limits.min_rad.max(-half_turn), limits.max_rad.min(half_turn));
-            low + (high - low) * random.random::<f64>()
-        });
-        if robot.limit_violation(&numbers_rad, 0.0).is_none() {
-            let like = problem.records[poses.len() % problem.records.len()].observation;
-            poses.push(Observation { numbers_rad, ..like.clone() });
-        }
-    }
-    poses
+    let like = problem.records.iter().map(|record| record.observation).cycle();
+    random_poses(robot, POSES, seed)
+        .into_iter()
+        .zip(like)
+        .map(|(numbers_rad, like)| Observation { numbers_rad, ..like.clone() })
+        .collect()
 }
 
 fn sort_out(jacobian: &DMatrix<f64>, unknowns: Vec<Unknown>) -> Selection {

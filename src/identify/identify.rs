@@ -105,7 +105,10 @@ const EXPLAINED: f64 = 0.35;
 /// Records that stand off because of one and the same joint: many of them, by small turns. That is physics which the
 /// model lacks (play that is taken up the other way, a drive that softens), not mistakes in the recording, and leaving
 /// such records out would hide it.
-fn of_one_joint(problem: &Problem<'_>, estimate: &Estimate<'_>, far: &[usize]) -> Result<Vec<usize>, NoPose> {
+///
+/// # Errors
+/// [`NoPose`] when the fitted model cannot place a record.
+pub fn of_one_joint(problem: &Problem<'_>, estimate: &Estimate<'_>, far: &[usize]) -> Result<Vec<usize>, NoPose> {
     if far.len() < PATTERN.0 {
         return Ok(Vec::new());
     }

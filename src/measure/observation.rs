@@ -69,3 +69,20 @@ pub struct Observation {
     /// Line in its file, from one.
     pub line: usize,
 }
+
+impl Observation {
+    /// A pose of which nothing is known but the joint numbers.
+    pub fn unmeasured(numbers_rad: [f64; DOF]) -> Self {
+        Self {
+            id: String::new(),
+            station: None,
+            numbers_rad,
+            conditions: Conditions::default(),
+            measured: None,
+            sigma_m: None,
+            sigma_rad: None,
+            set: None,
+            line: 0,
+        }
+    }
+}

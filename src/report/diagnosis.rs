@@ -172,6 +172,15 @@ impl DiagnosisReport {
     }
 }
 
+/// A probability in a word: below what numbers hold it says so.
+pub fn probability(p_value: f64) -> String {
+    match p_value {
+        p if p < 1e-100 => "< 1e-100".into(),
+        p if p < 1e-3 => format!("{p:.0e}"),
+        p => format!("{p:.3}"),
+    }
+}
+
 fn errors(errors: &Errors) -> ErrorPart {
     ErrorPart {
         mean_mm: errors.fitted.mean_mm,

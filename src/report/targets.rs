@@ -1,5 +1,7 @@
 //! `falsetarget/targets/1`: what `inspect --json` and `correct --report` say.
 
+use std::collections::BTreeSet;
+
 use serde::Serialize;
 
 use crate::base::text::Source;
@@ -71,6 +73,9 @@ pub struct TargetReport {
     tool: Option<String>,
     frame: Option<String>,
     uses: Vec<usize>,
+    /// The file of those lines, where it is another one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    uses_path: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     xyz_mm: Option<[f64; 3]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -96,7 +101,9 @@ pub struct TargetReport {
 impl TargetsReport {
     /// From files, in their order.
     pub fn new(files: Vec<FileReport>) -> Self {
-        let mut summary = Summary { files: files.len(), ..Summary::default() };
+        // A file that several jobs share is listed with each.
+        let paths: BTreeSet<&str> = files.iter().map(|file| file.path.as_str()).collect();
+        let mut summary = Summary { files: paths.len(), ..Summary::default() };
         for target in files.iter().flat_map(|file| &file.targets) {
             match target.class {
                 Class::Corrected => summary.corrected += 1,
@@ -126,13 +133,16 @@ impl TargetReport {
     }
 }
 
-/// The reports of the files of one job: by the text alone, or with what `outcome` says.
+/// The reports of the files of one job: by the text alone, or with what `outcome` says. Files that the job only reads
+/// are listed where they hold targets.
 pub fn files(
     sources: &[Source],
     dialect: &dyn Dialect,
     program: &Program,
     outcome: Option<&Outcome>,
 ) -> Vec<FileReport> {
+    let has_targets =
+        |file: usize| program.targets.iter().any(|target| target.file == file && program.concerns(target));
     let report = |(file, source): (usize, &Source)| FileReport {
         path: source.name().to_string(),
         dialect: dialect.meta().id,
@@ -142,14 +152,15 @@ pub fn files(
             .targets
             .iter()
             .enumerate()
-            .filter(|(_, target)| target.file == file)
+            .filter(|(_, target)| target.file == file && program.concerns(target))
             .map(|(index, target)| {
                 let result = outcome.and_then(|outcome| outcome.targets.get(index));
                 target_report(sources, program, target, result)
             })
             .collect(),
     };
-    sources.iter().enumerate().map(report).collect()
+    let listed = |(file, _): &(usize, &Source)| !program.read_only.contains(file) || has_targets(*file);
+    sources.iter().enumerate().filter(listed).map(report).collect()
 }
 
 fn target_report(
@@ -176,6 +187,7 @@ fn target_report(
         tool: first.and_then(|one| spoken(&one.tool)),
         frame: first.and_then(|one| spoken(&one.frame)),
         uses: target.uses.iter().map(|one| sources[one.file].line(one.span.start)).collect(),
+        uses_path: first.filter(|one| one.file != target.file).map(|one| sources[one.file].name().to_string()),
         xyz_mm: pose.map(|pose| pose.translation.map(|length| tidy(mm_from_m(length))).into()),
         quat_wxyz: pose.map(|pose| quaternion_from_rotation(&pose.rotation)),
         joints_deg: match &target.value {

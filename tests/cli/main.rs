@@ -5,6 +5,11 @@
 mod bad_input;
 mod batch;
 mod bench;
+mod jobs;
+mod library;
 mod main_job;
+mod modules;
 mod singular;
 mod talk;
+mod watch;
+mod whole_loop;

@@ -28,6 +28,11 @@ fn every_command_explains_itself() {
         ("inspect", &["--dialect", "--json"]),
         ("simulate", &["--robot", "--effects", "--recording"]),
         ("robots", &["-o, --output"]),
+        ("calibrate", &["--robot", "--recording", "--json", "--paper"]),
+        ("predict", &["--model", "--recording"]),
+        ("diagnose", &["--model", "--recording", "--json"]),
+        ("validate", &["--model", "--recording", "--json"]),
+        ("plan", &["--robot", "--points", "--among"]),
     ] {
         assert!(text.contains(command), "{command} is not in the list");
         let run = bench.run(&[command, "--help"]);

@@ -2,8 +2,9 @@
 //!
 //! Gravity picks the flank where it is strong enough, `d a = (b/2) sign(tau)`; where it is not, the joint lags its last
 //! motion, `d a = -(b/2) u` (u = the sense of approach, -1, 0 or +1). Between the two the flank passes over smoothly:
-//! `d a = (b/2) (w sign(tau) - (1 - w) u)` with `w = p^4 / (1 + p^4)`, `p = tau / tau_f`. The two are mixed, never
-//! added, so that the output stays between the flanks; and the value has derivatives in the pose everywhere.
+//! `d a = (b/2) (w sign(tau) - (1 - w) u)` with `w = p^16 / (1 + p^16)`, `p = tau / tau_f`: dry friction holds or it does
+//! not, within a tenth of its torque. The two are mixed, never added, so that the output stays between the flanks; and the
+//! value has derivatives in the pose everywhere.
 //!
 //! `tau_f`, the torque that friction holds, is [`HOLDING_SHARE`] of [`Context::largest_torque_nm`]: a property of the gear, not
 //! of the pose. A location may state another one ([`Location::reference`], Nm): the friction of a gear is its own, and a
@@ -58,12 +59,13 @@ fn flank<T: Real>(torque_nm: T, held_nm: f64, approach: f64) -> T {
     }
     let by_gravity = T::constant(torque_nm.value().signum());
     // Far beyond the friction torque the weight is one to rounding, and its powers could overflow.
-    if torque_nm.value().abs() > 1e4 * held_nm {
+    if torque_nm.value().abs() > 20.0 * held_nm {
         return by_gravity;
     }
     let pull = torque_nm / T::constant(held_nm);
-    let square = pull * pull;
-    let weight = square * square / (T::one() + square * square);
+    let fourth = pull * pull * (pull * pull);
+    let sixteenth = fourth * fourth * (fourth * fourth);
+    let weight = sixteenth / (T::one() + sixteenth);
     by_approach + (by_gravity - by_approach) * weight
 }
 

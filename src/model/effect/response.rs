@@ -29,6 +29,22 @@ pub struct Response<T: Real> {
     pub base_moves: bool,
 }
 
+impl Response<f64> {
+    /// The same over another scalar, without derivatives.
+    pub fn constant<T: Real>(&self) -> Response<T> {
+        Response {
+            actuators_rad: self.actuators_rad.map(T::constant),
+            tilt: self.tilt.map(|vector| vector.map(T::constant)),
+            links: self.links.map(|link| link.map(T::constant)),
+            base: self.base.map(T::constant),
+            tool: self.tool.map(T::constant),
+            axes_tilt: self.axes_tilt,
+            links_move: self.links_move,
+            base_moves: self.base_moves,
+        }
+    }
+}
+
 impl<T: Real> Response<T> {
     /// Nothing moves.
     pub fn none() -> Self {

@@ -1,0 +1,66 @@
+//! What a finished diagnosis leaves, told apart into noise and what would come again.
+
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+use crate::identify::estimate::root_mean_square;
+use crate::identify::problem::NoPose;
+use crate::measure::observation::Observation;
+use crate::measure::repeats::repeatability;
+
+use super::baseline::Baseline;
+use super::regressors::Regressors;
+use super::search::Found;
+
+/// Standard deviations per axis, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeftOver {
+    /// Scatter without structure.
+    pub noise_sigma_m: f64,
+    /// What depends on pose, approach or time and has no name.
+    pub structure_sigma_m: f64,
+}
+
+/// Degrees of freedom that repeats need to be asked.
+const ENOUGH_REPEATS: usize = 15;
+/// Probability with which white residuals would be called larger than the noise.
+const FALSE_ALARM: f64 = 0.01;
+
+/// Noise as the recording states it; else as its repeated poses show it (those that came the same way); else what stays
+/// when everything found, named or not, is taken out.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn left_over(found: &Found<'_>, base: &Baseline<'_>) -> Result<LeftOver, NoPose> {
+    let estimate = &found.fitted.estimate;
+    let spread = estimate.spread;
+    let observations: Vec<&Observation> = estimate.problem.records.iter().map(|record| record.observation).collect();
+    let repeats = repeatability(&observations).same_approach;
+    let (noise_sigma_m, noise_freedom) = if base.stated {
+        (root_mean_square(estimate.problem.records.iter().map(|record| record.sigma_m)) / estimate.scale, 1e6)
+    } else if let Some(pure) = repeats.filter(|pure| pure.freedom >= ENOUGH_REPEATS && pure.sigma_m > 0.0) {
+        (pure.sigma_m, pure.freedom as f64)
+    } else {
+        (without_structure_m(found)?, 1e6)
+    };
+    let excess = spread.sigma_m.powi(2) - noise_sigma_m.powi(2);
+    let ratio = (spread.sigma_m / noise_sigma_m.max(f64::MIN_POSITIVE)).powi(2);
+    let limit =
+        FisherSnedecor::new(spread.freedom.max(1.0), noise_freedom).map_or(1.0, |f| f.inverse_cdf(1.0 - FALSE_ALARM));
+    let has_structure = !found.free.is_empty() || ratio > limit;
+    let structure_sigma_m = if has_structure { excess.max(0.0).sqrt() } else { 0.0 };
+    Ok(LeftOver { noise_sigma_m, structure_sigma_m })
+}
+
+fn without_structure_m(found: &Found<'_>) -> Result<f64, NoPose> {
+    let estimate = &found.fitted.estimate;
+    if found.free.is_empty() {
+        return Ok(estimate.spread.sigma_m);
+    }
+    let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
+    let without = found.fitted.projection(None);
+    let with = found.projection(&regressors, None);
+    let taken = (with.free - without.free) as f64;
+    let freedom = estimate.spread.freedom;
+    let ratio = (with.cost / without.cost) * freedom / (freedom - taken).max(1.0);
+    Ok(estimate.spread.sigma_m * ratio.sqrt())
+}

@@ -1,0 +1,85 @@
+//! Every found cause looked at again beside the others: what speaks for it, and what could stand in its place.
+
+use crate::identify::problem::NoPose;
+
+use super::candidate::Candidate;
+use super::evidence::DECIDES;
+use super::projection::Gain;
+use super::rank::{Cause, rank, searched, suspects};
+use super::regressors::Regressors;
+use super::search::{CLEARLY_MORE, Found};
+
+/// What is known of a named cause, all others modelled.
+#[derive(Clone, Debug)]
+pub struct Review {
+    /// Evidence against it (see [`super::evidence::penalised`]): negative speaks for it.
+    pub evidence: f64,
+    /// What it explains.
+    pub gain: Gain,
+    /// Sum of squares without it.
+    pub cost: f64,
+    /// Degrees of freedom without it.
+    pub freedom: f64,
+    /// The strongest other cause in its place.
+    pub better: Option<Other>,
+    /// Named causes that these records cannot tell from it.
+    pub rivals: Vec<Candidate>,
+}
+
+/// Another cause in the place of a found one.
+#[derive(Clone, Debug)]
+pub struct Other {
+    /// Which.
+    pub cause: Cause,
+    /// Evidence against it.
+    pub evidence: f64,
+}
+
+/// Rivals that are told of one cause.
+const MOST_RIVALS: usize = 4;
+
+/// Reviews every named cause.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn review(found: &Found<'_>) -> Result<Vec<Review>, NoPose> {
+    let fitted = &found.fitted;
+    if fitted.terms.is_empty() {
+        return Ok(Vec::new());
+    }
+    let estimate = &fitted.estimate;
+    let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
+    let standing = suspects(&regressors)?;
+    let of_term = |term: usize| {
+        let own = &fitted.terms[term];
+        let (evidence, projection) = found.evidence_of(&regressors, term);
+        let gain = projection.gain(&fitted.columns_of(term));
+        let mut all = searched(&regressors, &projection);
+        all.extend(standing.iter().cloned());
+        let ranked = rank(&all, &projection);
+        let known = |candidate: &Candidate| fitted.terms.iter().any(|known| known.same_as(candidate));
+        let better = ranked.iter().find(|other| match &other.suspect.cause {
+            Cause::Named(candidate) => !known(candidate),
+            Cause::Free(_) => other.gain.explained > CLEARLY_MORE * gain.explained,
+        });
+        let mut rivals: Vec<Candidate> = Vec::new();
+        for other in ranked.iter().take_while(|other| other.evidence < (evidence + DECIDES).min(0.0)) {
+            let Some(candidate) = other.suspect.candidate() else { continue };
+            let told = known(candidate) || rivals.iter().any(|rival| rival.same_as(candidate));
+            // The same cause with a constant that a search chose is the same answer.
+            let another_constant = candidate.id() == own.id() && candidate.chosen_constants > 0;
+            if !told && !another_constant && rivals.len() < MOST_RIVALS {
+                rivals.push(candidate.clone());
+            }
+        }
+        Review {
+            evidence,
+            cost: projection.cost,
+            freedom: (projection.rows as f64 - projection.free as f64).max(1.0),
+            gain,
+            better: better.map(|other| Other { cause: other.suspect.cause.clone(), evidence: other.evidence }),
+            rivals,
+        }
+    };
+    Ok((0..fitted.terms.len()).map(of_term).collect())
+}
