@@ -164,7 +164,7 @@ fn interval(samples: &Samples<'_>, along: Variable) -> Option<(f64, f64)> {
     let values = samples.actuators_rad.iter().zip(&samples.torque_nm).map(|(q, torque)| along.value(q, torque));
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
     let range = high - low;
-    (range.is_finite() && range > STILL).then(|| (low - MARGIN * range, range * (1.0 + 2.0 * MARGIN)))
+    (range.is_finite() && range > STILL).then_some((low - MARGIN * range, range * (1.0 + 2.0 * MARGIN)))
 }
 
 /// Which terms a learner has, from few to many.
