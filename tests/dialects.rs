@@ -13,12 +13,20 @@ fn programs_folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("programs")
 }
 
-/// The shipped programs of a dialect; notes and cell files beside them are none.
-fn shipped(dialect: &dyn Dialect) -> Vec<Source> {
+/// The folders of a dialect's shipped programs: its own, and one for each program whose language wants a folder.
+fn folders(dialect: &dyn Dialect) -> Vec<PathBuf> {
     let folder = programs_folder().join(dialect.meta().id);
-    let mut paths: Vec<_> = std::fs::read_dir(&folder)
-        .map(|entries| entries.filter_map(|entry| Some(entry.ok()?.path())).collect())
-        .unwrap_or_default();
+    let entries = std::fs::read_dir(&folder).into_iter().flatten().filter_map(Result::ok);
+    let mut folders: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(|path| path.is_dir()).collect();
+    folders.push(folder);
+    folders.sort();
+    folders
+}
+
+/// The shipped programs of a folder; notes and cell files beside them are none.
+fn in_folder(folder: &Path) -> Vec<Source> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().filter_map(Result::ok);
+    let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
     paths.sort();
     let is_program = |path: &PathBuf| {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
@@ -28,16 +36,24 @@ fn shipped(dialect: &dyn Dialect) -> Vec<Source> {
     paths.into_iter().filter(is_program).map(read).collect()
 }
 
+/// All shipped programs of a dialect.
+fn shipped(dialect: &dyn Dialect) -> Vec<Source> {
+    folders(dialect).iter().flat_map(|folder| in_folder(folder)).collect()
+}
+
 /// The shipped jobs of a dialect: files that belong together, then those that all share.
 fn jobs(dialect: &dyn Dialect) -> Vec<Vec<Source>> {
     let name = |source: &Source| source.name().rsplit(['/', '\\']).next().unwrap_or_default().to_string();
     let is_shared = |source: &Source| dialect.shared_files().contains(&name(source).as_str());
-    let (shared, own): (Vec<Source>, Vec<Source>) = shipped(dialect).into_iter().partition(is_shared);
-    let mut jobs: BTreeMap<String, Vec<Source>> = BTreeMap::new();
-    for source in own {
-        jobs.entry(dialect.job_of(&name(&source))).or_default().push(source);
-    }
-    jobs.into_values().map(|own| own.into_iter().chain(shared.clone()).collect()).collect()
+    let in_one = |folder: &PathBuf| {
+        let (shared, own): (Vec<Source>, Vec<Source>) = in_folder(folder).into_iter().partition(is_shared);
+        let mut jobs: BTreeMap<String, Vec<Source>> = BTreeMap::new();
+        for source in own {
+            jobs.entry(dialect.job_of(&name(&source))).or_default().push(source);
+        }
+        jobs.into_values().map(|own| own.into_iter().chain(shared.clone()).collect()).collect::<Vec<Vec<Source>>>()
+    };
+    folders(dialect).iter().flat_map(in_one).collect()
 }
 
 fn fields(target: &Target) -> Vec<&NumberField> {

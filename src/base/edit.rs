@@ -4,15 +4,6 @@
 
 use super::text::Span;
 
-/// One replacement. An empty `span` inserts.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Edit {
-    /// The bytes that go.
-    pub span: Span,
-    /// The bytes that come.
-    pub replacement: Vec<u8>,
-}
-
 /// Two edits that touch the same bytes, or one that lies outside the file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum EditError {
@@ -33,12 +24,25 @@ pub enum EditError {
 #[derive(Clone, Debug, Default)]
 pub struct EditSet {
     edits: Vec<Edit>,
+    /// All that comes, one after the other: programs have millions of edits of a few bytes.
+    text: Vec<u8>,
+}
+
+/// One replacement. An empty `span` inserts.
+#[derive(Clone, Copy, Debug)]
+struct Edit {
+    /// The bytes that go.
+    span: Span,
+    /// Where the bytes that come stand in [`EditSet::text`].
+    text: Span,
 }
 
 impl EditSet {
-    /// Adds a replacement; order does not matter.
-    pub fn push(&mut self, span: Span, replacement: impl Into<Vec<u8>>) {
-        self.edits.push(Edit { span, replacement: replacement.into() });
+    /// Adds a replacement; order does not matter. An empty `span` inserts.
+    pub fn push(&mut self, span: Span, replacement: impl AsRef<[u8]>) {
+        let start = self.text.len();
+        self.text.extend_from_slice(replacement.as_ref());
+        self.edits.push(Edit { span, text: Span::new(start, self.text.len()) });
     }
 
     /// True when applying it gives the input back.
@@ -51,10 +55,9 @@ impl EditSet {
     /// # Errors
     /// [`EditError`] when two edits overlap or one lies outside `bytes`.
     pub fn apply(&self, bytes: &[u8]) -> Result<Vec<u8>, EditError> {
-        let grown: usize = self.edits.iter().map(|edit| edit.replacement.len()).sum();
-        let mut out = Vec::with_capacity(bytes.len() + grown);
+        let mut out = Vec::with_capacity(bytes.len() + self.text.len());
         let mut copied = 0;
-        let mut in_order: Vec<&Edit> = self.edits.iter().collect();
+        let mut in_order = self.edits.clone();
         in_order.sort_by_key(|edit| edit.span);
         for edit in in_order {
             if edit.span.end > bytes.len() {
@@ -64,7 +67,7 @@ impl EditSet {
                 return Err(EditError::Overlap(edit.span));
             }
             out.extend_from_slice(&bytes[copied..edit.span.start]);
-            out.extend_from_slice(&edit.replacement);
+            out.extend_from_slice(&self.text[edit.text.start..edit.text.end]);
             copied = edit.span.end;
         }
         out.extend_from_slice(&bytes[copied..]);

@@ -2,13 +2,14 @@
 
 use std::path::PathBuf;
 
+use crate::diagnose;
 use crate::files::calibration;
 use crate::identify::calibrate::{Options, Refusal, calibrate};
 use crate::identify::report::{Figures, Report};
 use crate::identify::summary::summarise;
 use crate::learn;
-use crate::learn::choose::{Candidate, Learned};
 use crate::model::arm::ArmModel;
+use crate::report::calibration::CalibrationReport;
 use crate::report::html;
 
 use super::console::Console;
@@ -18,8 +19,9 @@ use super::output;
 
 /// Identify the real robot from recordings of a laser tracker
 ///
-/// Geometry, base, measured point, parallelogram and joint compliances are identified together. Gross errors are found,
-/// listed and left out. The `set` column of the recording is obeyed; without one, whole regions are held out for the
+/// Geometry, base, measured point, parallelogram and joint compliances are identified together; then physics that the
+/// recording shows beyond them is named, as `diagnose` does, and what has no name is learned where that helps on held-out
+/// records. Gross errors are found, listed and left out. The `set` column of the recording is obeyed; without one, whole regions are held out for the
 /// figures and the model that is written is fitted to all records.
 #[derive(clap::Args)]
 pub struct Args {
@@ -44,11 +46,14 @@ pub struct Args {
     /// Fit the model to identification records alone, not to training records too
     #[arg(long)]
     identify_only: bool,
+    /// Name no physics beyond geometry and joint compliance
+    #[arg(long)]
+    no_diagnose: bool,
     /// Learn nothing beyond the named physics
     #[arg(long)]
     no_learner: bool,
     /// The paper's pipeline: geometry and compliance from identification records, a plain network from training records
-    #[arg(long, conflicts_with = "no_learner")]
+    #[arg(long, conflicts_with_all = ["no_learner", "no_diagnose"])]
     paper: bool,
     /// Seed of everything that is drawn
     #[arg(long, default_value_t = 1)]
@@ -76,6 +81,11 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
         }
     };
     let mut outcome = calibrate(&ArmModel::nominal(robot), &recordings, &options, &mut tell)?;
+    let mut named = Vec::new();
+    if !args.paper && !args.no_diagnose {
+        tell("naming the physics beyond");
+        named = diagnose::calibration::add(&mut outcome, &recordings, args.seed).map_err(Refusal::from)?;
+    }
     let mut learned = None;
     if args.paper {
         tell("training the network");
@@ -88,35 +98,13 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     let text = calibration::write(&model).map_err(|error| Failure::Usage(error.to_string()))?;
     output::write(&args.output, text.as_bytes())?;
     if let Some(path) = &args.json {
-        let learner = learned.as_ref().map(LearnerReport::of);
-        output::write_json(path, &WholeReport { report: &report, learner })?;
+        output::write_json(path, &CalibrationReport::new(&report, &named, learned.as_ref()))?;
     }
     if let Some(path) = &args.html {
         output::write(path, html::calibration(&report).as_bytes())?;
     }
     tell_person(&report, console);
     Ok(Exit::Done)
-}
-
-/// The report of the identification, and what was tried as a learner.
-#[derive(serde::Serialize)]
-struct WholeReport<'a> {
-    #[serde(flatten)]
-    report: &'a Report,
-    learner: Option<LearnerReport<'a>>,
-}
-
-#[derive(serde::Serialize)]
-struct LearnerReport<'a> {
-    chosen: Option<&'static str>,
-    candidates: &'a [Candidate],
-}
-
-impl<'a> LearnerReport<'a> {
-    fn of(learned: &'a Learned) -> Self {
-        let chosen = learned.candidates.get(learned.chosen).map(|candidate| candidate.name);
-        Self { chosen, candidates: &learned.candidates }
-    }
 }
 
 fn tell_person(report: &Report, console: &Console) {

@@ -8,7 +8,7 @@ use crate::program::dialect::{self, DIALECTS, Dialect};
 use crate::program::target::{Program, TargetValue};
 
 use super::exit::Failure;
-use super::load;
+use super::{census, load};
 
 /// A program read from its files.
 pub struct Loaded {
@@ -26,13 +26,21 @@ pub struct Loaded {
 /// [`Failure::Program`] when its language is unknown, it holds errors, or it was forced into a language in which it
 /// has nothing to say.
 pub fn of_file(path: &Path, wanted: Option<&'static dyn Dialect>) -> Result<Loaded, Failure> {
-    let source = load::source(path)?;
-    let dialect = dialect_of(&source, wanted)?;
-    let mut sources = vec![source];
-    for companion in companions(path, dialect)? {
-        sources.push(load::source(&companion)?);
-    }
-    with_shared(path, sources, dialect)
+    let mut entries = vec![census::look(path, wanted, true)];
+    entries.extend(census::beside(&entries[0]));
+    let Some(plan) = census::plans(&entries).into_iter().find(|plan| plan.own.contains(&0)) else {
+        let dialect = entries.swap_remove(0).dialect?;
+        return Err(Failure::Usage(format!(
+            "{}: {}",
+            path.display(),
+            dialect.map_or("no program", |d| d.meta().title)
+        )));
+    };
+    let paths = |files: &[usize]| files.iter().map(|file| entries[*file].path.clone()).collect::<Vec<PathBuf>>();
+    // The file that was asked for comes first.
+    let (mut own, shared) = (plan.own, paths(&plan.shared));
+    own.sort_by_key(|file| *file != 0);
+    of_files(&paths(&own), &shared, plan.dialect)
 }
 
 /// Reads the program on standard input, alone.
@@ -45,25 +53,20 @@ pub fn of_standard_input(wanted: Option<&'static dyn Dialect>) -> Result<Loaded,
     read(vec![source], 1, dialect)
 }
 
-/// Reads the job that these files are.
+/// Reads the job that these files are, with files of other jobs that it needs and those that all jobs share.
 ///
 /// # Errors
 /// As [`of_file`].
-pub fn of_files(paths: &[PathBuf], dialect: &'static dyn Dialect) -> Result<Loaded, Failure> {
-    let sources = paths.iter().map(|path| load::source(path)).collect::<Result<Vec<_>, _>>()?;
-    let first = paths.first().map(PathBuf::as_path).unwrap_or(Path::new(""));
-    with_shared(first, sources, dialect)
-}
-
-fn with_shared(path: &Path, mut sources: Vec<Source>, dialect: &'static dyn Dialect) -> Result<Loaded, Failure> {
-    let own = sources.len();
-    for shared in shared_files(path, dialect) {
-        let source = load::source(&shared)?;
+pub fn of_files(own: &[PathBuf], shared: &[PathBuf], dialect: &'static dyn Dialect) -> Result<Loaded, Failure> {
+    let mut sources = own.iter().chain(shared).map(|path| load::source(path)).collect::<Result<Vec<_>, _>>()?;
+    let first = own.first().map(PathBuf::as_path).unwrap_or(Path::new(""));
+    for path in shared_files(first, dialect) {
+        let source = load::source(&path)?;
         if dialect.recognises(&source) {
             sources.push(source);
         }
     }
-    read(sources, own, dialect)
+    read(sources, own.len(), dialect)
 }
 
 /// Reads sources, the first `own` of them the job's own.
@@ -98,29 +101,11 @@ fn leave_shared_alone(program: &mut Program, sources: &[Source], own: usize) {
     }
 }
 
-/// The other files of the job that a file belongs to, as they lie beside it.
-pub fn companions(path: &Path, dialect: &'static dyn Dialect) -> Result<Vec<PathBuf>, Failure> {
-    let Some(name) = path.file_name().and_then(|name| name.to_str()) else { return Ok(Vec::new()) };
-    let job = dialect.job_of(name);
-    if job == name {
-        return Ok(Vec::new());
-    }
-    let is_other = |other: &String| other != name && dialect.job_of(other) == job;
-    let mut found = Vec::new();
-    for other in names_in(&folder_of(path)).into_iter().filter(is_other) {
-        let other = path.with_file_name(other);
-        if other.is_file() && dialect.recognises(&load::source(&other)?) {
-            found.push(other);
-        }
-    }
-    Ok(found)
-}
-
 /// How many folders above a program are searched for shared files: a controller's programs lie three or four below.
 const FOLDERS_ABOVE: usize = 6;
 
 /// The files that a job shares with others: beside it, or in a folder above or the `System` folder there.
-fn shared_files(path: &Path, dialect: &'static dyn Dialect) -> Vec<PathBuf> {
+pub fn shared_files(path: &Path, dialect: &'static dyn Dialect) -> Vec<PathBuf> {
     let own = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
     let wanted = dialect.shared_files().iter().filter(|name| !name.eq_ignore_ascii_case(own));
     let folder = folder_of(path);
@@ -143,7 +128,8 @@ fn file_in(folder: &Path, name: &str) -> Option<PathBuf> {
     Some(folder.join(found)).filter(|path| path.is_file())
 }
 
-fn folder_of(path: &Path) -> PathBuf {
+/// The folder of a path; `.` for a bare name.
+pub fn folder_of(path: &Path) -> PathBuf {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
         _ => PathBuf::from("."),
@@ -151,7 +137,7 @@ fn folder_of(path: &Path) -> PathBuf {
 }
 
 /// The names in a folder, in order; none where it cannot be read.
-fn names_in(folder: &Path) -> Vec<String> {
+pub fn names_in(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let mut names: Vec<String> = entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
     names.sort();

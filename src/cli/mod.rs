@@ -6,21 +6,30 @@ use clap::{Parser, Subcommand};
 
 mod batch;
 mod calibrate;
+mod census;
 mod console;
 mod correct;
 mod diagnose;
 mod diagnosed;
 mod exit;
+mod in_order;
 mod inspect;
+mod items;
 mod job;
 mod load;
 mod output;
 mod plan;
 mod predict;
+mod record;
+mod report_file;
 mod robots;
+mod shop;
 mod simulate;
+mod summary;
 mod tell;
 mod validate;
+mod watch;
+mod writers;
 
 use console::Console;
 
@@ -46,6 +55,7 @@ enum Command {
     Validate(validate::Args),
     Plan(plan::Args),
     Correct(correct::Args),
+    Watch(watch::Args),
     Inspect(inspect::Args),
     Simulate(simulate::Args),
     Robots(robots::Args),
@@ -62,6 +72,7 @@ pub fn main() -> ExitCode {
         Command::Validate(args) => validate::run(args, &console),
         Command::Plan(args) => plan::run(args, &console),
         Command::Correct(args) => correct::run(args, &console),
+        Command::Watch(args) => watch::run(args, &console),
         Command::Inspect(args) => inspect::run(args, &console),
         Command::Simulate(args) => simulate::run(args, &console),
         Command::Robots(args) => robots::run(args),

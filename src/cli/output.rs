@@ -31,31 +31,37 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     if path.as_os_str() == "-" {
         return print(bytes);
     }
-    write_all(&[(path, bytes)])
-}
-
-/// Writes files that belong together: none takes its place before all lie on the disk.
-pub fn write_all(files: &[(&Path, &[u8])]) -> Result<(), Failure> {
+    check(path)?;
     // The kind alone: the name of the temporary file says nothing to the user.
-    let failure = |path: &Path, error: std::io::Error| Failure::file(path, error.kind().into());
-    let mut staged = Vec::with_capacity(files.len());
-    for (path, bytes) in files {
-        check(path)?;
-        staged.push((path, stage(path, bytes).map_err(|error| failure(path, error))?));
-    }
-    for (path, file) in staged {
-        file.persist(path).map_err(|error| failure(path, error.error))?;
-    }
-    Ok(())
+    let failure = |error: std::io::Error| Failure::file(path, error.kind().into());
+    let file = stage(path, bytes).map_err(failure)?;
+    file.persist(path).map(|_| ()).map_err(|error| failure(error.error))
 }
 
 /// A file beside its place, complete, without its name.
 fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<tempfile::NamedTempFile> {
-    let mut file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder_of(path))?;
+    let mut file = temporary(path)?;
     file.write_all(bytes)?;
-    keep_permissions(path, file.as_file())?;
     file.as_file().sync_all()?;
     Ok(file)
+}
+
+/// An empty file beside a place, with the permissions that it shall have there.
+pub fn temporary(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+    let file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder_of(path))?;
+    keep_permissions(path, file.as_file())?;
+    Ok(file)
+}
+
+/// Writes what will be renamed to `path`, under a name of its own, flushed to the disk.
+pub fn write_part(part: &Path, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let write = || {
+        let mut file = std::fs::File::create(part)?;
+        keep_permissions(path, &file)?;
+        file.write_all(bytes)?;
+        file.sync_all()
+    };
+    write().map_err(|error: std::io::Error| Failure::file(path, error.kind().into()))
 }
 
 /// A new file gets what the user's mask allows; one that is replaced keeps what it had.

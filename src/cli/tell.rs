@@ -3,6 +3,7 @@
 use crate::base::diagnostic::{Diagnostic, Severity};
 use crate::base::text::Source;
 use crate::program::target::Target;
+use crate::report::tally::Tally;
 use crate::rewrite::class::Class;
 use crate::rewrite::outcome::{Outcome, TargetOutcome};
 
@@ -17,11 +18,15 @@ const LINES: usize = 4;
 /// Says what happened to the targets of a program.
 pub fn targets(console: &Console, loaded: &Loaded, outcome: &Outcome) {
     let Loaded { sources, program, .. } = loaded;
-    for diagnostic in &program.diagnostics {
+    let is_own = |finding: &&Diagnostic| finding.place.as_ref().is_none_or(|place| place.file < loaded.own);
+    for diagnostic in program.diagnostics.iter().filter(is_own) {
         console.diagnostic(sources, diagnostic);
     }
     for class in [Class::Refused, Class::Computed, Class::Joint] {
-        let of_class = || outcome.targets.iter().zip(&program.targets).filter(move |(result, _)| result.class == class);
+        let of_class = || {
+            let all = outcome.targets.iter().zip(&program.targets);
+            all.filter(move |(result, target)| result.class == class && program.concerns(target))
+        };
         let count = of_class().count();
         if class == Class::Joint && count > 0 {
             console.say(&format!("{count} joint target(s) left alone; --joint-targets corrects them"));
@@ -34,7 +39,7 @@ pub fn targets(console: &Console, loaded: &Loaded, outcome: &Outcome) {
             console.say(&format!("... and {} more {}; --report lists them all", count - LISTED, class.word()));
         }
     }
-    console.say(&summary(sources[0].name(), outcome));
+    console.say(&summary(sources[0].name(), &Tally::of(program, outcome, loaded.own)));
 }
 
 fn finding(sources: &[Source], result: &TargetOutcome, target: &Target) -> Diagnostic {
@@ -68,21 +73,14 @@ fn used_in(sources: &[Source], target: &Target) -> String {
     }
 }
 
-fn summary(name: &str, outcome: &Outcome) -> String {
-    let corrections: Vec<f64> = outcome
-        .targets
-        .iter()
-        .filter_map(|target| target.figures.as_ref())
-        .map(|figures| figures.correction_m)
-        .collect();
-    // An empty sum is -0.0.
-    let mean_mm = (corrections.iter().sum::<f64>() + 0.0) / corrections.len().max(1) as f64 * 1e3;
-    let largest_mm = corrections.iter().copied().fold(0.0, f64::max) * 1e3;
+fn summary(name: &str, tally: &Tally) -> String {
     format!(
-        "{name}: {} corrected (by {mean_mm:.3} mm in the mean, {largest_mm:.3} mm at most), {} joint, {} computed, {} refused",
-        outcome.count(Class::Corrected),
-        outcome.count(Class::Joint),
-        outcome.count(Class::Computed),
-        outcome.count(Class::Refused)
+        "{name}: {} corrected (by {:.3} mm in the mean, {:.3} mm at most), {} joint, {} computed, {} refused",
+        tally.corrected,
+        tally.mean_mm(),
+        tally.largest_mm(),
+        tally.joint,
+        tally.computed,
+        tally.refused
     )
 }

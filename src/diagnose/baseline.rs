@@ -18,7 +18,7 @@ use crate::identify::stations;
 use crate::identify::unknown::{Scope, Unknown, model_ids};
 
 /// Fewest records in which anything is looked for: below, the geometry alone takes all of them.
-const FEWEST_RECORDS: usize = 20;
+pub const FEWEST_RECORDS: usize = 20;
 
 /// The refitted model as given, and the records that it stands on.
 #[derive(Clone, Debug)]

@@ -129,10 +129,7 @@ const ROUNDS: usize = 2;
 /// # Errors
 /// [`Refusal`], as for a calibration: the recording is not of this robot, or too small.
 pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) -> Result<Diagnosis<'a>, Refusal> {
-    let kind = match recordings.iter().all(|recording| recording.kind == Kind::Continuous) {
-        true => Kind::Continuous,
-        false => Kind::Static,
-    };
+    let kind = Kind::of(recordings);
     let base = baseline(given, recordings, seed)?;
     let mut kept = base.identified.kept.clone();
     let mut bare = Fitted::bare(base.estimate().clone());

@@ -1,6 +1,7 @@
 //! Floor 6: what the model leaves out, found in a recording and named. See docs/diagnosis.md.
 
 pub mod baseline;
+pub mod calibration;
 pub mod candidate;
 pub mod check;
 pub mod diagnosis;
@@ -17,3 +18,4 @@ pub mod scan;
 pub mod search;
 pub mod statement;
 pub mod updated;
+pub mod worth;

@@ -1,4 +1,4 @@
-//! Cell files: `falsetarget/cell/1`. What programs name but do not hold: tools and frames.
+//! Cell files: `falsetarget/cell/1`. What programs name but do not hold: tools, frames and additional axes.
 
 use std::collections::BTreeMap;
 
@@ -8,6 +8,7 @@ use crate::base::text::Source;
 use crate::geometry::pose::Pose;
 use crate::model::robot::Mass;
 
+use super::axes::{AxisEntry, CellAxis};
 use super::error::FileError;
 use super::robot::MassEntry;
 use super::yaml::{PoseEntry, complain, parse};
@@ -34,8 +35,10 @@ pub enum CellTool {
 pub struct Cell {
     /// Tools.
     pub tools: BTreeMap<String, CellTool>,
-    /// `base_T_frame`.
+    /// `base_T_frame`, with all additional axes at their zero.
     pub frames: BTreeMap<String, Pose>,
+    /// Additional axes; of two that move the same, the first carries the second.
+    pub axes: Vec<CellAxis>,
 }
 
 #[derive(Deserialize)]
@@ -46,6 +49,8 @@ struct CellEntry {
     tools: BTreeMap<String, ToolEntry>,
     #[serde(default)]
     frames: BTreeMap<String, PoseEntry>,
+    #[serde(default)]
+    axes: Vec<AxisEntry>,
 }
 
 #[derive(Deserialize)]
@@ -92,6 +97,14 @@ pub fn read(source: &Source) -> Result<Cell, FileError> {
             complain(source, "frames", None, "frame", format!("frame `{name}` has a number that is not finite"))
         })?;
         cell.frames.insert(name.to_lowercase(), pose);
+    }
+    for (index, axis) in entry.axes.into_iter().enumerate() {
+        let wrong = |message: String| complain(source, "axes", Some(index), "axis", message);
+        let axis = axis.axis().map_err(wrong)?;
+        if cell.axes.iter().any(|other| other.name == axis.name) {
+            return Err(wrong(format!("axis `{}` stands here twice", axis.name)));
+        }
+        cell.axes.push(axis);
     }
     Ok(cell)
 }

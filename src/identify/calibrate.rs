@@ -83,6 +83,8 @@ pub struct StageState {
     pub name: &'static str,
     /// How many numbers were free.
     pub free: usize,
+    /// True when it has seen training records, not identification records alone.
+    pub trained: bool,
     /// The state.
     pub state: State,
 }
@@ -116,6 +118,22 @@ pub struct Outcome<'a> {
     pub left_out: Vec<LeftOut>,
     /// True when records state their sigma.
     pub sigma_stated: bool,
+}
+
+impl Outcome<'_> {
+    /// Sound records of the identification and training sets: those that named physics and a learner may use.
+    pub fn to_learn_from(&self) -> Vec<usize> {
+        let mut records: Vec<usize> = self.split.identify.iter().chain(&self.split.train).copied().collect();
+        records.sort_unstable();
+        records.dedup();
+        records.retain(|&index| self.sound[index]);
+        records
+    }
+
+    /// The state of the last stage.
+    pub fn last_state(&self) -> &State {
+        self.stages.last().map_or(&self.delivered.fit.state, |last| &last.state)
+    }
 }
 
 /// Identifies a robot from recordings.
@@ -177,15 +195,15 @@ pub fn calibrate<'a>(
 
     progress("fitting the stages");
     let kept_problem = problem.subset(&kept);
-    let mut stages = vec![StageState { name: "nominal", free: 0, state: state.clone() }];
+    let mut stages = vec![StageState { name: "nominal", free: 0, trained: false, state: state.clone() }];
     for (name, scope) in [("frames", Scope::Frames), ("geometry", Scope::Geometry)] {
         let free = self::selection(&kept_problem, &state, scope, &own_frame, options)?.free;
         let fitted = estimate(kept_problem.clone(), state.clone(), &free, sigma_stated)?;
-        stages.push(StageState { name, free: free.len(), state: fitted.fit.state });
+        stages.push(StageState { name, free: free.len(), trained: false, state: fitted.fit.state });
     }
     if selection.free.len() > stages.last().map_or(0, |stage| stage.free) {
         let state = identified.fit.state.clone();
-        stages.push(StageState { name: "geometry_compliance", free: selection.free.len(), state });
+        stages.push(StageState { name: "geometry_compliance", free: selection.free.len(), trained: false, state });
     }
 
     let fitted = records_for_delivery(&split, &sound, options);

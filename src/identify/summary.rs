@@ -216,9 +216,8 @@ fn stages(outcome: &Outcome<'_>) -> Result<Vec<Stage>, NoPose> {
     let mut all: Vec<Stage> =
         outcome.stages.iter().map(|one| stage(one.name, one.free, &one.state)).collect::<Result<_, _>>()?;
     let refitted_to_validation = split.source == SplitSource::Regions;
-    // A learner's stage has seen the training records too.
-    let learned = outcome.delivered.fit.state.model.learner.is_some();
-    if !learned && !refitted_to_validation && outcome.fitted.len() > split.identify.len() {
+    let trained = outcome.stages.iter().any(|stage| stage.trained);
+    if !trained && !refitted_to_validation && outcome.fitted.len() > split.identify.len() {
         let fit = &outcome.delivered.fit;
         all.push(stage("refitted_with_training", fit.unknowns.len(), &fit.state)?);
     }

@@ -22,16 +22,12 @@ pub const STAGE: &str = "learner";
 /// [`NoPose`] when a model cannot place a record.
 pub fn add(outcome: &mut Outcome<'_>, seed: u64) -> Result<Learned, NoPose> {
     let unknowns = outcome.delivered.fit.unknowns.clone();
-    let mut records: Vec<usize> = outcome.split.identify.iter().chain(&outcome.split.train).copied().collect();
-    records.sort_unstable();
-    records.dedup();
-    records.retain(|&index| outcome.sound[index]);
-    let identified =
-        outcome.stages.last().map_or_else(|| outcome.delivered.fit.state.clone(), |last| last.state.clone());
+    let records = outcome.to_learn_from();
+    let identified = outcome.last_state().clone();
     let problem = outcome.problem.subset(&records);
     let mut learned = learn(&problem, &identified, &unknowns, seed, None)?;
     let Some(state) = learned.state.clone() else { return Ok(learned) };
-    outcome.stages.push(StageState { name: STAGE, free: unknowns.len(), state });
+    outcome.stages.push(StageState { name: STAGE, free: unknowns.len(), trained: true, state });
     if outcome.fitted != records {
         let problem = outcome.problem.subset(&outcome.fitted);
         let again = learn(&problem, &outcome.delivered.fit.state, &unknowns, seed, Some(learned.chosen))?;
@@ -55,9 +51,10 @@ pub fn add_paper_network(outcome: &mut Outcome<'_>, seed: u64) -> Result<(), NoP
         Ok(state)
     };
     // The delivered model may have seen the validation records: the stage must not.
-    let identified = outcome.stages.last().map_or(&outcome.delivered.fit.state, |last| &last.state).clone();
+    let identified = outcome.last_state().clone();
     let free = outcome.delivered.fit.unknowns.len();
-    outcome.stages.push(StageState { name: "network", free, state: with_network(identified)? });
+    let state = with_network(identified)?;
+    outcome.stages.push(StageState { name: "network", free, trained: true, state });
     outcome.delivered.fit.state = with_network(outcome.delivered.fit.state.clone())?;
     Ok(())
 }

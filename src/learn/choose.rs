@@ -154,20 +154,20 @@ impl Candidate {
     }
 }
 
+/// Mean of the paired differences of two sets of distances over its standard error: by how much the first are larger.
+pub fn in_errors(lengths: &[f64], others: &[f64]) -> f64 {
+    let differences: Vec<f64> = lengths.iter().zip(others).map(|(one, other)| one - other).collect();
+    let count = differences.len().max(2) as f64;
+    let mean = differences.iter().sum::<f64>() / count;
+    let variance = differences.iter().map(|one| (one - mean).powi(2)).sum::<f64>() / (count - 1.0);
+    if mean == 0.0 { 0.0 } else { mean / (variance / count).sqrt() }
+}
+
 /// The first whose mean exceeds the smallest by no more than the standard error of the difference.
 fn simplest_of_the_best(lengths: &[&[f64]]) -> usize {
     let mean = |numbers: &[f64]| numbers.iter().sum::<f64>() / numbers.len().max(1) as f64;
     let best = (0..lengths.len()).min_by(|&a, &b| mean(lengths[a]).total_cmp(&mean(lengths[b]))).unwrap_or(0);
-    (0..best)
-        .find(|&index| {
-            let differences: Vec<f64> =
-                lengths[index].iter().zip(lengths[best]).map(|(one, other)| one - other).collect();
-            let count = differences.len().max(2) as f64;
-            let excess = mean(&differences);
-            let variance = differences.iter().map(|one| (one - excess).powi(2)).sum::<f64>() / (count - 1.0);
-            excess <= (variance / count).sqrt()
-        })
-        .unwrap_or(best)
+    (0..best).find(|&index| in_errors(lengths[index], lengths[best]) <= 1.0).unwrap_or(best)
 }
 
 #[cfg(test)]

@@ -22,6 +22,16 @@ pub enum Kind {
     Continuous,
 }
 
+impl Kind {
+    /// Of recordings taken together: moving where all of them are.
+    pub fn of(recordings: &[Recording]) -> Self {
+        match recordings.iter().all(|recording| recording.kind == Kind::Continuous) {
+            true => Kind::Continuous,
+            false => Kind::Static,
+        }
+    }
+}
+
 /// Everything in one file.
 #[derive(Clone, Debug)]
 pub struct Recording {

@@ -301,6 +301,16 @@ impl<'a, const N: usize> Walk<'a, N> {
     }
 }
 
+/// What holds where a program has selected nothing yet, in languages whose controllers keep a selection from program to
+/// program: the only selection that the job makes; where it makes several, whichever was left; else `otherwise`.
+pub fn left_over(selections: &[Reference], otherwise: Reference, what: &str) -> Reference {
+    let Some((first, others)) = selections.split_first() else { return otherwise };
+    if others.iter().all(|other| other == first) {
+        return first.clone();
+    }
+    Reference::Runtime(format!("no {what} is selected on the way here: what the last program left holds"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,7 +6,9 @@
 pub mod decimal;
 pub mod dialect;
 pub mod flow;
+pub mod gather;
 pub mod number;
 pub mod scan;
 pub mod selection;
 pub mod target;
+pub mod ties;

@@ -141,7 +141,8 @@ pub fn files(
     program: &Program,
     outcome: Option<&Outcome>,
 ) -> Vec<FileReport> {
-    let has_targets = |file: usize| program.targets.iter().any(|target| target.file == file);
+    let has_targets =
+        |file: usize| program.targets.iter().any(|target| target.file == file && program.concerns(target));
     let report = |(file, source): (usize, &Source)| FileReport {
         path: source.name().to_string(),
         dialect: dialect.meta().id,
@@ -151,7 +152,7 @@ pub fn files(
             .targets
             .iter()
             .enumerate()
-            .filter(|(_, target)| target.file == file)
+            .filter(|(_, target)| target.file == file && program.concerns(target))
             .map(|(index, target)| {
                 let result = outcome.and_then(|outcome| outcome.targets.get(index));
                 target_report(sources, program, target, result)

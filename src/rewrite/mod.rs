@@ -1,6 +1,7 @@
 //! Floor 5: a program, a cell and a model of the real arm become a corrected program and a list that says what
 //! happened to every target.
 
+mod carriers;
 pub mod class;
 pub mod correct;
 mod digits;
@@ -8,6 +9,7 @@ mod displaced;
 pub mod outcome;
 pub mod play;
 mod setting;
+pub mod spin;
 pub mod split;
 mod visits;
 mod words;

@@ -35,7 +35,7 @@ pub fn play(program: &Program, cell: &Cell, real: &ArmModel, controller: &Contro
         .iter()
         .zip(&approaches)
         .filter_map(|(visit, &approach)| {
-            let setting = settings.get(visit.setting).as_ref().ok()?;
+            let setting = settings.at(visit.setting, &program.targets[visit.target]).ok()?;
             let numbers = visit.nominal_rad.as_ref().ok()?;
             let conditions = Conditions { approach, payload: setting.payload, ..Conditions::default() };
             let landed = setting.landed(&arm.flange(numbers, &conditions).ok()?);

@@ -1,13 +1,16 @@
 //! The tool, frame and load in force at a move, resolved to poses: what the program defines wins over the cell file.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
+use crate::files::axes::Moves;
 use crate::files::cell::{Cell, CellTool};
 use crate::geometry::pose::Pose;
 use crate::invert::RealArm;
 use crate::model::robot::Mass;
-use crate::program::target::{LoadData, Program, Reference, Use};
+use crate::program::target::{LoadData, Program, Reference, Target, TargetValue, Use};
 
+use super::carriers::Carriers;
 use super::class::Class;
 
 /// Why a target is left alone: its class and a sentence.
@@ -46,6 +49,8 @@ pub struct Setting {
     stationary_tool: bool,
     /// What the flange carries, if the program or cell says so.
     pub payload: Option<Mass>,
+    /// Names of a frame that stands in the cell, lower case: an additional axis may move it.
+    frames: Vec<String>,
 }
 
 impl Setting {
@@ -70,6 +75,12 @@ impl Setting {
         self.seen_from_fixed(&(self.fixed.inverse() * *real_flange * self.carried_really))
     }
 
+    /// The same where additional axes have moved what does not travel with the flange: `B^-1 F` of
+    /// [`super::carriers`].
+    fn displaced(&self, displacement: &Pose) -> Self {
+        Self { fixed: *displacement * self.fixed, ..self.clone() }
+    }
+
     fn seen_from_fixed(&self, target: &Pose) -> Pose {
         if self.stationary_tool { target.inverse() } else { *target }
     }
@@ -79,6 +90,7 @@ impl Setting {
 pub struct Settings<'a> {
     program: &'a Program,
     cell: &'a Cell,
+    carriers: Carriers<'a>,
     own_tool: Tool,
     resolved: Vec<Result<Setting, Obstacle>>,
     known: HashMap<(Reference, Reference, Reference), usize>,
@@ -92,6 +104,15 @@ struct Tool {
     load: Option<Mass>,
 }
 
+/// A frame, resolved.
+struct Frame {
+    /// In the base; in the flange when the robot holds it.
+    pose: Pose,
+    held: bool,
+    /// Its name and that of the mechanical unit that it stands on, lower case.
+    names: Vec<String>,
+}
+
 /// A load of this mass or less is ABB's `load0` and its like: a word for "not declared".
 const UNDECLARED_KG: f64 = 0.001;
 
@@ -101,7 +122,8 @@ impl<'a> Settings<'a> {
         let real = arm.measured_tool();
         let nominal = arm.robot().tool.unwrap_or(real);
         let own_tool = Tool { nominal, real, held_by_robot: true, load: None };
-        Self { program, cell, own_tool, resolved: Vec::new(), known: HashMap::new() }
+        let carriers = Carriers::new(&cell.axes, program);
+        Self { program, cell, carriers, own_tool, resolved: Vec::new(), known: HashMap::new() }
     }
 
     /// The number of the setting at a move; equal references give equal numbers.
@@ -116,14 +138,23 @@ impl<'a> Settings<'a> {
         self.resolved.len() - 1
     }
 
-    /// The setting with this number, or what is in its way.
-    pub fn get(&self, index: usize) -> &Result<Setting, Obstacle> {
-        &self.resolved[index]
+    /// The setting with this number at a target, where the additional axes have moved the robot and the frame.
+    ///
+    /// # Errors
+    /// What is in its way.
+    pub fn at(&self, index: usize, target: &Target) -> Result<Cow<'_, Setting>, Obstacle> {
+        let setting = self.resolved[index].as_ref().map_err(Obstacle::clone)?;
+        // A joint target is a posture of the arm, wherever that stands.
+        if self.carriers.is_empty() || matches!(target.value, TargetValue::Joint(_)) {
+            return Ok(Cow::Borrowed(setting));
+        }
+        let displacement = self.carriers.displacement(target, &setting.frames)?;
+        Ok(displacement.map_or(Cow::Borrowed(setting), |displacement| Cow::Owned(setting.displaced(&displacement))))
     }
 
     fn resolve(&self, one: &Use) -> Result<Setting, Obstacle> {
         let tool = self.tool(&one.tool)?;
-        let (frame, frame_held) = self.frame(&one.frame)?;
+        let Frame { pose: frame, held: frame_held, names: frames } = self.frame(&one.frame)?;
         let payload = match self.flange_load(&one.grip_load)? {
             Some(load) => Some(load),
             None => carried_mass(&tool, self.grip_load(&one.grip_load)?),
@@ -135,6 +166,7 @@ impl<'a> Settings<'a> {
                 carried_really: tool.real,
                 stationary_tool: false,
                 payload,
+                frames,
             }),
             (false, true) => Ok(Setting {
                 fixed: tool.nominal,
@@ -142,6 +174,7 @@ impl<'a> Settings<'a> {
                 carried_really: frame,
                 stationary_tool: true,
                 payload,
+                frames: Vec::new(),
             }),
             (true, true) => Err(Obstacle::refused("the robot holds both the tool and the work piece")),
             (false, false) => Err(Obstacle::refused("the robot holds neither the tool nor the work piece")),
@@ -175,19 +208,36 @@ impl<'a> Settings<'a> {
         }
     }
 
-    fn frame(&self, reference: &Reference) -> Result<(Pose, bool), Obstacle> {
+    fn frame(&self, reference: &Reference) -> Result<Frame, Obstacle> {
         let name = match reference {
-            Reference::Unnamed => return Ok((Pose::identity(), false)),
+            Reference::Unnamed => return Ok(Frame { pose: Pose::identity(), held: false, names: Vec::new() }),
             Reference::Runtime(reason) => return Err(Obstacle::computed(reason.clone())),
             Reference::Named(name) => name,
         };
+        let mut names = vec![name.to_lowercase()];
         if let Some(definition) = self.program.frames.get(&Program::key(name)) {
             let frame = definition.value.as_ref().map_err(|reason| Obstacle::computed(reason.clone()))?;
-            return Ok((frame.pose, frame.held_by_robot));
+            let unit = frame.on.as_ref().map(|unit| self.unit(unit)).transpose()?;
+            names.extend(frame.on.as_ref().map(|unit| unit.to_lowercase()));
+            let pose = unit.map_or(frame.pose, |unit| unit * frame.pose);
+            return Ok(Frame { pose, held: frame.held_by_robot, names });
         }
         let pose = self.cell.frames.get(&name.to_lowercase()).copied();
-        pose.map(|pose| (pose, false)).ok_or_else(|| {
+        pose.map(|pose| Frame { pose, held: false, names }).ok_or_else(|| {
             Obstacle::refused(format!("frame `{name}` is defined neither in the program nor in the cell file (--cell)"))
+        })
+    }
+
+    /// `base_T_unit` of a mechanical unit with its axes at zero.
+    fn unit(&self, name: &str) -> Result<Pose, Obstacle> {
+        let key = name.to_lowercase();
+        let moves_it = |moves: &Moves| matches!(moves, Moves::Frames(all) if all.contains(&key));
+        let known = self.cell.axes.iter().any(|axis| moves_it(&axis.moves));
+        self.cell.frames.get(&key).copied().filter(|_| known).ok_or_else(|| {
+            Obstacle::computed(format!(
+                "moved by mechanical unit {name}: a cell file that has it among its frames and an axis that moves it \
+                 says where it stands"
+            ))
         })
     }
 

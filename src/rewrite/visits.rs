@@ -1,6 +1,8 @@
 //! The program's own sequence of targets: which solution the controller takes at each, and from which side every joint
 //! comes there.
 
+use std::borrow::Cow;
+
 use nalgebra::Vector6;
 
 use crate::geometry::pose::{Pose, pose_difference};
@@ -50,7 +52,8 @@ pub fn follow(program: &Program, settings: &mut Settings<'_>, controller: &Contr
     for (target, one_use) in arrivals {
         let one = &program.targets[target].uses[one_use];
         let setting = settings.of(one);
-        let (written, nominal_rad) = arrive(program, target, settings.get(setting), controller, previous);
+        let here = settings.at(setting, &program.targets[target]);
+        let (written, nominal_rad) = arrive(program, target, &here, controller, previous);
         previous = nominal_rad.as_ref().ok().copied().or(previous);
         visits.push(Visit { target, one_use, setting, nominal_rad, written });
     }
@@ -88,7 +91,7 @@ pub fn senses(
 fn arrive(
     program: &Program,
     target: usize,
-    setting: &Result<Setting, Obstacle>,
+    setting: &Result<Cow<'_, Setting>, Obstacle>,
     controller: &Controller,
     previous: Option<[f64; DOF]>,
 ) -> (Pose, Result<[f64; DOF], Obstacle>) {

@@ -4,7 +4,6 @@ use crate::invert::InversionError;
 use crate::kinematics::controller::Controller;
 use crate::kinematics::posture::Singularity;
 use crate::model::robot::DOF;
-use crate::program::target::Target;
 
 /// Sine below which a straight wrist or a stretched elbow is named as the cause.
 const NEAR_SIN: f64 = 0.1;
@@ -33,24 +32,6 @@ pub fn no_command(error: &InversionError, controller: &Controller, nominal_rad: 
         ("the wrist centre stands over axis 1".to_string(), "move the target away from axis 1")
     };
     format!("{cause}; no small turn of the joints makes up for the arm's errors there; {help}")
-}
-
-/// Adds to the reason why the nominal arm does not get there that it may stand elsewhere: on a travelling axis.
-pub fn with_travel(reason: String, target: &Target) -> String {
-    let moved: Vec<String> = target
-        .external_axes
-        .iter()
-        .filter(|axis| axis.value != 0.0)
-        .map(|axis| format!("{} at {}", axis.name, axis.value))
-        .collect();
-    match moved.is_empty() {
-        true => reason,
-        false => format!(
-            "{reason}; the target has {}: a robot that travels on an additional axis is taken to stand \
-                          at that axis' zero",
-            moved.join(", ")
-        ),
-    }
 }
 
 /// How near the arm stands to each singularity at these numbers.

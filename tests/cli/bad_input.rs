@@ -48,9 +48,9 @@ fn out_of_reach() {
 }
 
 #[test]
-fn out_of_reach_on_a_travelling_axis() {
+fn an_additional_axis_that_no_cell_file_describes() {
     let far = REACHED.replace("1500", "4500").replace("[9E9,9E9", "[3079.8,9E9");
-    let says = ["bad.mod:3:23", "out of reach by 20", "eax_a at 3079.8", "travels on an additional axis"];
+    let says = ["bad.mod:3:23", "eax_a at 3079.8", "no cell file (--cell) says", "axes: [{name: eax_a"];
     bad_program(program(&far, "tGun"), 1, &says);
 }
 

@@ -3,10 +3,13 @@
 
 #![allow(clippy::expect_used, reason = "a test may stop where its own preparation fails")]
 
+mod axes;
 mod kuka_status;
+mod left_out;
 mod random_programs;
 mod shipped;
 mod spoil;
+mod staubli_config;
 
 /// How near the corrected program lands: position.
 const LANDS_WITHIN_M: f64 = 2e-6;

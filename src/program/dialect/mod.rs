@@ -4,17 +4,48 @@ use crate::base::text::{Encoding, Source};
 
 use super::number::NumberRules;
 use super::target::Program;
+use super::ties::Ties;
 
+mod aptcl;
+mod csv;
+mod denso;
+mod drl;
 mod fanuc;
+mod gcode;
 mod hyundai;
 mod inform;
+mod kawasaki;
 mod krl;
+mod melfa;
+mod nachi;
+mod pdl2;
 mod rapid;
+mod script;
+mod spel;
+mod stated;
 mod urscript;
+mod val3;
 
 /// Every language that the tool reads.
-pub const DIALECTS: &[&dyn Dialect] =
-    &[&rapid::Rapid, &hyundai::Hyundai, &fanuc::Fanuc, &inform::Inform, &krl::Krl, &urscript::UrScript];
+pub const DIALECTS: &[&dyn Dialect] = &[
+    &rapid::Rapid,
+    &hyundai::Hyundai,
+    &fanuc::Fanuc,
+    &inform::Inform,
+    &krl::Krl,
+    &urscript::UrScript,
+    &kawasaki::Kawasaki,
+    &val3::Val3,
+    &spel::Spel,
+    &nachi::Nachi,
+    &csv::Csv,
+    &gcode::GCode,
+    &aptcl::AptCl,
+    &drl::Drl,
+    &melfa::Melfa,
+    &denso::Denso,
+    &pdl2::Pdl2,
+];
 
 /// What there is to know about a language without reading a program.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +79,18 @@ pub trait Dialect: Sync {
     /// language says otherwise.
     fn job_of(&self, file_name: &str) -> String {
         file_name.to_string()
+    }
+
+    /// What a file gives to the other files of its folder and takes from them, by name: [`super::ties::together`] makes
+    /// jobs of it.
+    fn ties(&self, _source: &Source) -> Ties {
+        Ties::default()
+    }
+
+    /// Names of folders whose files, where they lie beside each other, count as lying in one: a controller's program
+    /// and system modules.
+    fn joined_folders(&self) -> &'static [&'static str] {
+        &[]
     }
 
     /// Names of files that many jobs share: looked for beside a job and above it, in whatever case. They are read with

@@ -23,7 +23,9 @@ pub(super) fn read(sources: &[Source]) -> Program {
     program
         .tools
         .insert("0".into(), define(&origin, ToolData { pose: Pose::identity(), held_by_robot: true, load: None }));
-    program.frames.insert("0".into(), define(&origin, FrameData { pose: Pose::identity(), held_by_robot: false }));
+    program
+        .frames
+        .insert("0".into(), define(&origin, FrameData { pose: Pose::identity(), held_by_robot: false, on: None }));
     for (file, source) in sources.iter().enumerate() {
         for sections in programs(source) {
             One::read(file, source, &sections, &mut program).finish(&sections, &mut program);
@@ -194,7 +196,7 @@ impl<'a> One<'a> {
                     others.push(unwritten(self.file, name, span, reason));
                     others.len() - 1
                 });
-                others[slot].uses.push(one);
+                others[slot].add_use(one);
             }
         }
         if let Some(one) = indirect {
@@ -220,6 +222,7 @@ impl<'a> One<'a> {
                 computed: point.computed.or(assigned).or_else(|| all_assigned.clone()),
                 configuration: point.configuration,
                 external_axes: point.external_axes,
+                rides_along: false,
                 uses,
             });
         }
@@ -305,6 +308,7 @@ fn unwritten(file: usize, name: String, span: Span, reason: String) -> Target {
         computed: Some(reason),
         configuration: Default::default(),
         external_axes: Vec::new(),
+        rides_along: false,
         uses: Vec::new(),
     }
 }

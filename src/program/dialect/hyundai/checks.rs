@@ -1,4 +1,4 @@
-//! What looks wrong in a job: a missing end, too few axes, positions in metres, a base that may travel.
+//! What looks wrong in a job: a missing end, too few axes, positions in metres.
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
@@ -51,18 +51,10 @@ fn may_lack_suffix(statement: &[u8]) -> bool {
 }
 
 /// Checks the positions of one file.
-pub(super) fn targets(index: usize, header: &Header, program: &mut Program) {
+pub(super) fn targets(index: usize, program: &mut Program) {
     let mut findings = Vec::new();
     let targets: Vec<&Target> = program.targets.iter().filter(|target| target.file == index).collect();
     findings.extend(metres(index, &targets));
-    let in_base = |target: &&&Target| cartesian(target).is_some() && in_base_frame(target);
-    if header.auxiliary_axes.is_some_and(|count| count > 0)
-        && let Some(first) = targets.iter().find(in_base)
-    {
-        let message =
-            "the job has additional axes: base coordinates are taken for those of a robot that does not travel";
-        findings.push(Diagnostic::note("travel-axis", message).at(index, first.span, ""));
-    }
     program.diagnostics.extend(findings);
 }
 

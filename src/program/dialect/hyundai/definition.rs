@@ -129,7 +129,7 @@ impl Definitions {
             let Some((place, _)) = made.first() else { continue };
             let value =
                 single(made.iter().map(|(place, origins)| (*place, frame_pose(variables, place.file, origins))))
-                    .map(|pose| FrameData { pose, held_by_robot: false });
+                    .map(|pose| FrameData { pose, held_by_robot: false, on: None });
             program.frames.insert(number, Definition { file: place.file, span: place.span, value });
         }
     }

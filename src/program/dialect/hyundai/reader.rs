@@ -68,8 +68,8 @@ pub(super) fn read(sources: &[Source]) -> Program {
         checks::end(index, source, file, &mut program.diagnostics);
     }
     resolver.finish(&mut program);
-    for (index, file) in files.iter().enumerate() {
-        checks::targets(index, &file.header, &mut program);
+    for index in 0..files.len() {
+        checks::targets(index, &mut program);
     }
     program.targets.sort_by_key(|target| (target.file, target.span));
     program

@@ -82,7 +82,7 @@ impl<'a> Resolver<'a> {
         let frame = written.map_or(Reference::Unnamed, |(_, pose)| step.frame(&pose.coordinates));
         let key = (self.variables.scope(step.index, &name.key), name.key.clone());
         if let Some(&at) = self.named.get(&key) {
-            self.targets[at].uses.push(step.usage(frame));
+            self.targets[at].add_use(step.usage(frame));
             return;
         }
         let spelled = step.source.text(name.span).into_owned();
@@ -150,6 +150,7 @@ impl Step<'_> {
             computed: Some(reason),
             configuration: Default::default(),
             external_axes: Vec::new(),
+            rides_along: false,
             uses: Vec::new(),
         }
     }

@@ -42,6 +42,7 @@ pub(super) fn target(file: usize, name: Option<String>, pose: &WrittenPose) -> T
         external_axes: additional
             .map(|(index, axis)| ExternalAxis { name: format!("J{}", index + 1), value: axis.value })
             .collect(),
+        rides_along: pose.coordinates == Coordinates::Robot,
         uses: Vec::new(),
     }
 }

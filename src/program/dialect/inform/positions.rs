@@ -43,8 +43,8 @@ pub(super) struct Position {
     pub tool: Reference,
     /// From `///POSTYPE` and `///USER`.
     pub frame: Reference,
-    /// A base axis that carries the robot changes what the numbers mean: all coordinates but the robot's own.
-    carried: bool,
+    /// In the robot's own coordinates, which a base axis carries along.
+    pub rides_along: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -179,9 +179,20 @@ impl PositionReader {
         let configuration = self.configuration.clone();
         let tool = self.tool.clone();
         let external_axes = Vec::new();
-        let carried = self.coordinates != Coordinates::Robot;
-        let position =
-            Position { kind, number, name, span, value, computed, configuration, external_axes, tool, frame, carried };
+        let rides_along = self.coordinates == Coordinates::Robot;
+        let position = Position {
+            kind,
+            number,
+            name,
+            span,
+            value,
+            computed,
+            configuration,
+            external_axes,
+            tool,
+            frame,
+            rides_along,
+        };
         self.positions.push(position);
     }
 
@@ -193,10 +204,6 @@ impl PositionReader {
                 for (axis, &value) in values.iter().enumerate() {
                     position.external_axes.push(ExternalAxis { name: format!("{letters}{}", axis + 1), value });
                 }
-            }
-            if position.carried && position.external_axes.iter().any(|axis| axis.name.starts_with('B')) {
-                let reason = "a base axis carries the robot, and where it stands is not described";
-                position.computed.get_or_insert_with(|| reason.to_owned());
             }
         }
         self.positions

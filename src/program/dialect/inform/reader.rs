@@ -197,11 +197,12 @@ impl<'a> Targets<'a> {
                 computed: Some(reason),
                 configuration: Default::default(),
                 external_axes: Vec::new(),
+                rides_along: false,
                 uses: Vec::new(),
             });
             self.others.len() - 1
         });
-        self.others[slot].uses.push(one);
+        self.others[slot].add_use(one);
     }
 
     fn find(&self, file: usize, kind: Kind, number: u32) -> Option<(usize, usize)> {
@@ -222,6 +223,7 @@ impl<'a> Targets<'a> {
                     computed: position.computed.clone().or(changed),
                     configuration: position.configuration.clone(),
                     external_axes: position.external_axes.clone(),
+                    rides_along: position.rides_along,
                     uses,
                 });
             }

@@ -122,8 +122,8 @@ fn axes_beside_the_arm_are_kept() {
     let axes: Vec<_> =
         named(&program, "C0001").external_axes.iter().map(|axis| (axis.name.as_str(), axis.value)).collect();
     assert_eq!(axes, [("B1", 100.0), ("E1", 7.0), ("E2", 8.0)]);
-    assert!(named(&program, "C0001").computed.is_none());
-    assert!(named(&program, "C0002").computed.as_deref().is_some_and(|reason| reason.contains("base axis")));
+    let rides = |name| (named(&program, name).rides_along, named(&program, name).computed.is_none());
+    assert_eq!((rides("C0001"), rides("C0002")), ((true, true), (false, true)));
     assert!(named(&program, "C0003").computed.as_deref().is_some_and(|reason| reason.contains("7 values")));
     assert_eq!(program.targets.len(), 3);
 }

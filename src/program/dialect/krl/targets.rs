@@ -210,6 +210,7 @@ impl<'j, 'a> Targets<'j, 'a> {
             computed: written.incomplete,
             configuration: written.configuration,
             external_axes: written.external_axes,
+            rides_along: false,
             uses: Vec::new(),
         });
         self.targets.len() - 1
@@ -225,6 +226,7 @@ impl<'j, 'a> Targets<'j, 'a> {
             computed: Some(why.0),
             configuration: Configuration::default(),
             external_axes: Vec::new(),
+            rides_along: false,
             uses: Vec::<Use>::new(),
         });
         self.targets.len() - 1

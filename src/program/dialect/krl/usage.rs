@@ -77,7 +77,7 @@ fn standing_base(base: Reference, frames: &Frames<'_, '_>, settings: &mut Settin
     }
     let short = number_of(name, "base_data[");
     if let Some(pose) = frames.poses.get(&**name) {
-        let frame = |pose: Pose| FrameData { pose: root_t_world * pose, held_by_robot: false };
+        let frame = |pose: Pose| FrameData { pose: root_t_world * pose, held_by_robot: false, on: None };
         settings.frames.entry(short.into()).or_insert_with(|| mapped(pose, frame));
     }
     named(short)
@@ -100,7 +100,7 @@ fn stationary(
     if let Reference::Named(name) = &work_piece
         && let Some(pose) = frames.poses.get(&**name)
     {
-        let data = |pose: Pose| FrameData { pose, held_by_robot: true };
+        let data = |pose: Pose| FrameData { pose, held_by_robot: true, on: None };
         settings.frames.entry(name.to_string()).or_insert_with(|| mapped(pose, data));
     }
     let nothing = |side: &str| Reference::Runtime(format!("$IPO_MODE is #TCP, and {side} is set nowhere in this job"));

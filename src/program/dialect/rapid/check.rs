@@ -34,19 +34,7 @@ pub fn check_numbers(targets: &[Target]) -> Vec<Diagnostic> {
         let warning = Diagnostic::warning("unit-scale", message).at(first.file, first.span, "RAPID counts in mm");
         findings.push(warning);
     }
-    findings.extend(travel(targets));
     findings
-}
-
-/// A note when an additional axis moves: it may carry the robot, and then targets count from elsewhere.
-fn travel(targets: &[Target]) -> Option<Diagnostic> {
-    let moved = |target: &&Target| {
-        matches!(target.value, TargetValue::Cartesian(_)) && target.external_axes.iter().any(|axis| axis.value != 0.0)
-    };
-    let first = targets.iter().find(moved)?;
-    let count = targets.iter().filter(moved).count();
-    let message = format!("{count} targets move additional axes: the robot is taken not to travel on one");
-    Some(Diagnostic::note("travel-axis", message).at(first.file, first.span, "such as this"))
 }
 
 fn is_base(frame: &Reference) -> bool {

@@ -36,7 +36,7 @@ pub fn read_definitions(job: &Job, changes: &Changes, program: &mut Program) -> 
     }
     let identity = Pose::identity();
     predefine(&mut program.tools, "tool0", ToolData { pose: identity, held_by_robot: true, load: None });
-    predefine(&mut program.frames, "wobj0", FrameData { pose: identity, held_by_robot: false });
+    predefine(&mut program.frames, "wobj0", FrameData { pose: identity, held_by_robot: false, on: None });
     predefine(&mut program.loads, "load0", LoadData { mass_kg: 0.0, center_of_mass_m: [0.0; 3] });
     keys
 }
@@ -155,13 +155,15 @@ fn frame(text: &FileText, range: &Range<usize>) -> Result<FrameData, String> {
     };
     let unit_text = text.source.text(text.span(unit));
     let unit_name = unit_text.trim_matches('"').trim();
+    let held_by_robot = truth(text, held)?;
+    // The controller computes the user frame of a mechanical unit; what the text has for it does not count.
     if !unit_name.is_empty() {
-        return Err(format!("moved by mechanical unit {unit_name}"));
+        return Ok(FrameData { held_by_robot, pose: pose(text, object)?, on: Some(Arc::from(unit_name)) });
     }
     if !truth(text, fixed)? {
         return Err("moved by a mechanical unit".into());
     }
-    Ok(FrameData { held_by_robot: truth(text, held)?, pose: pose(text, user)? * pose(text, object)? })
+    Ok(FrameData { held_by_robot, pose: pose(text, user)? * pose(text, object)?, on: None })
 }
 
 /// `[mass, cog, aom, ix, iy, iz]`, kilograms and millimetres.

@@ -22,6 +22,7 @@ mod position;
 mod recognise;
 mod statement;
 mod symbol;
+mod ties;
 mod token;
 
 #[cfg(test)]
@@ -31,6 +32,7 @@ use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Source;
 use crate::program::number::NumberRules;
 use crate::program::target::{Program, Target, TargetValue};
+use crate::program::ties::Ties;
 
 use super::{Dialect, Meta};
 
@@ -57,6 +59,14 @@ impl Dialect for Rapid {
 
     fn recognises(&self, source: &Source) -> bool {
         recognise::is_rapid(source)
+    }
+
+    fn ties(&self, source: &Source) -> Ties {
+        ties::ties(source)
+    }
+
+    fn joined_folders(&self) -> &'static [&'static str] {
+        &["PROGMOD", "SYSMOD"]
     }
 
     fn read(&self, files: &[Source]) -> Program {

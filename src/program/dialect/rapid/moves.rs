@@ -98,7 +98,7 @@ impl<'a> Reader<'_, '_, 'a> {
             for target in self.positions.targets_of(text, range, scope) {
                 self.supervised.resize(self.positions.targets.len(), false);
                 self.supervised[target] |= supervised;
-                self.positions.targets[target].uses.push(Use { path: *path, ..template.clone() });
+                self.positions.targets[target].add_use(Use { path: *path, ..template.clone() });
             }
         }
     }
@@ -220,7 +220,7 @@ impl<'a> Reader<'_, '_, 'a> {
             for target in self.positions.targets_of(text, &passed.value, passed.scope) {
                 self.supervised.resize(self.positions.targets.len(), false);
                 self.supervised[target] = true;
-                self.positions.targets[target].uses.push(outer.clone());
+                self.positions.targets[target].add_use(outer.clone());
             }
         }
     }

@@ -271,6 +271,7 @@ impl<'j, 'a> Positions<'j, 'a> {
             computed,
             configuration: extras.configuration,
             external_axes: extras.external_axes,
+            rides_along: false,
             uses: Vec::new(),
         });
         self.targets.len() - 1

@@ -112,6 +112,10 @@ impl Names {
         }
     }
 
+    fn keys(&self) -> impl Iterator<Item = &str> {
+        self.in_routine.values().chain(self.in_module.values()).flat_map(HashMap::keys).map(String::as_str)
+    }
+
     fn look_up(&self, key: &str, scope: Scope) -> Lookup {
         let in_routine = scope.routine.and_then(|routine| self.in_routine.get(&routine)?.get(key));
         if let Some(&index) = in_routine.or_else(|| self.in_module.get(&scope.module)?.get(key)) {
@@ -143,6 +147,18 @@ impl<'a> Job<'a> {
             job.declare_file(file, &mut modules);
         }
         job
+    }
+
+    /// Every declared name, global or not.
+    pub fn declared_names(&self) -> impl Iterator<Item = &str> {
+        self.names.keys().chain(self.routine_names.keys())
+    }
+
+    /// The names that other modules of the task see, with the data type of a variable.
+    pub fn global_names(&self) -> impl Iterator<Item = (&str, &str)> {
+        let variables = self.names.anywhere.iter().flat_map(|(name, all)| all.iter().map(move |index| (name, index)));
+        let variables = variables.map(|(name, index)| (name.as_str(), self.symbols[*index].data_type.as_str()));
+        variables.chain(self.routine_names.anywhere.keys().map(|name| (name.as_str(), "")))
     }
 
     /// Looks up a variable.

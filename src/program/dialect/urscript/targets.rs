@@ -92,6 +92,7 @@ impl Targets<'_> {
             computed: None,
             configuration: Configuration::default(),
             external_axes: Vec::new(),
+            rides_along: false,
             uses: Vec::new(),
         }
     }
@@ -160,7 +161,7 @@ impl Targets<'_> {
         let file = self.file.file;
         let line = text.source.line(text.span(&composed.from).start);
         let name = format!("{} in line {line}", shortened(&text.show(&composed.from)));
-        let frame = FrameData { pose: composed.frame, held_by_robot: false };
+        let frame = FrameData { pose: composed.frame, held_by_robot: false, on: None };
         let definition = Definition { file, span: text.span(&composed.from), value: Ok(frame) };
         program.frames.insert(Program::key(&name), definition);
         let index = self.listed(&composed.to, composed.name.as_ref(), program);

@@ -1,0 +1,126 @@
+.***************************************************************************
+.*=== AS GROUP ===         : ASF_0000000XX 2024/05/14 10:02
+.***************************************************************************
+.ROBOTDATA1
+ZROBOT.TYPE    14   6   6 1280      -18766   RS080N-A001 ( 2024-02-11 09:12 )
+ENDLESS_POS   0 100 1       -1516
+.END
+.SYSDATA
+BASE 0 0 0 0 0 0
+TOOL 93.8 0 102 0 90 180
+TOOL1 12.5 -40 285.25 90 12.5 -90
+TOOL2 0 110 240 0 35 90
+TOOLSHAPE1 0 0 0 0 0 0 0 0
+.END
+.AUXDATA
+N_OX33    "gripper.open[1]"
+N_OX34    "gripper.close[1]"
+N_WX17    "part.there"
+.END
+.INTER_PANEL_D
+0,9,1,6,15
+6,10,"","PCEXECUTE","AUTOSTART; LMOVE drop","",10,4,15,1,"PCEXECUTE autostart.pc",0
+.END
+.PROGRAM main()@24/05/14 10:02 #0; ピッキング [メイン]
+  TOOL tool.grip
+  BASE work.base
+  WEIGHT 22.5, 4, -12, 140, 0.3, 0.3, 0.1
+  SPEED 60 ALWAYS
+  ACCURACY 50 ALWAYS
+  JMOVE #home
+  JMOVE #side
+  FOR n = 1 TO 3
+    LAPPRO bin.pick[n],120
+    SPEED 250 MM/S
+    LMOVE bin.pick[n]; *** TEACH POINT ***
+    BREAK
+    SIGNAL gripper.close[1]
+    TWAIT 0.3
+    LDEPART 120
+    CALL place.it(1,n)
+  END
+  LAPPRO bin.taught,80
+  LMOVE bin.taught
+  XMOVE bin.taught+TRANS(0,0,30) TILL part.there
+  CALL drop.off(drop)
+  JMOVE #home
+.END
+.PROGRAM place.it(.row,.n)
+;
+; 部品をパレットに置く
+;
+  LMOVE bin.pick[1]+TRANS(0,0,-150)
+  LMOVE SHIFT(bin.pick[2] BY 0,0,150)
+  IF .n == 1 THEN
+    LMOVE pallet+place[1,1]
+  ELSE
+    LMOVE pallet+place[1,2]; second
+  END
+  TDRAW ,,-80
+  JOINT SPEED9 ACCU1 TIMER0 TOOL1 WORK0 CLAMP1 (OFF,0,0,O) 2 (OFF,0,0,O) OX= WX= #[12.5,18.25,-82.125,4.0625,-66.5,9.375]
+  RETURN
+.END
+.PROGRAM drop.off(.where)
+  .dz = 60
+  JMOVE #drop.safe[1]
+  LMOVE .where
+  POINT .above = .where+TRANS(0,0,-.dz)
+  LMOVE .above
+  LMOVE #drop.safe[2]
+  LMOVE drop
+  PRINT "LMOVE edge.a; not a move"
+.END
+.PROGRAM glue.edge()
+  TOOL tool.glue
+  BASE work.base
+  WEIGHT 9.8, 0, 60, 110, 0, 0, 0
+  JMOVE #edge.home
+  LMOVE cam.pos
+  LMOVE edge.a
+  C1MOVE edge.b
+  C2MOVE edge.c
+  POINT search = FRAME(part.frame,edge.dx,edge.dy,part.frame)
+  POINT part.hole = search+TRANS(20,0,0)
+  LMOVE part.hole
+  TOOL tool.grip
+  WEIGHT 22.5, 4, -12, 140, 0.3, 0.3, 0.1
+  LMOVE drop
+;LMOVE edge.c
+  HERE now
+  JMOVE #home
+.END
+.PROGRAM teach.bin()
+  HERE bin.taught
+.END
+.TRANS
+bin.pick[1] 1248.487971 27.287664 406.002119 -173.705014 163.293583 72.710931
+bin.pick[2] 1352.015825 12.313560 407.394557 171.529139 164.811901 64.148357
+bin.pick[3] 1266.555223 144.453683 393.108094 -169.111193 165.700604 71.011938
+bin.taught 1260.339206 -4.740664 417.686578 -173.088678 165.712840 71.119952
+cam.pos 570.378699 347.846064 828.953231 10.654749 157.030835 -12.454011
+drop 8.426840 608.688647 547.997298 -25.801844 171.747144 138.321096
+edge.a -100.432463 542.985203 539.501168 30.263247 137.006619 -76.801184
+edge.b -33.407828 605.298758 512.159946 28.219397 137.781671 -76.505924
+edge.c 72.944480 570.300421 531.825378 25.214177 138.547643 -76.164206
+pallet 250.000000 200.000000 40.000000 -8.000000 3.000000 5.000000
+part.frame 362.072522 548.742582 455.125934 -115.928172 169.101199 74.736854
+place[1,1] 380.844953 429.575051 369.093483 -117.615723 170.127464 88.261588
+place[1,2] 490.075930 405.660050 367.197566 -130.298521 170.041159 81.770868
+tool.glue 0.000000 110.000000 240.000000 0.000000 35.000000 90.000000
+tool.grip 12.500000 -40.000000 285.250000 90.000000 12.500000 -90.000000
+work.base -350.000000 900.000000 -420.000000 0.000000 0.000000 15.000000
+.END
+.JOINTS
+#home 0.000000 -5.000000 -95.000000 0.000000 -70.000000 0.000000
+#side 40.000000 5.000000 -100.000000 10.000000 -65.000000 20.000000
+#edge.home 30.000000 2.000000 -98.000000 9.000000 -60.000000 25.000000
+#drop.safe[1] -30.000000 10.000000 -85.000000 -8.000000 -62.000000 12.000000
+#drop.safe[2] -38.000000 14.000000 -80.000000 -9.000000 -58.000000 15.000000
+.END
+.REALS
+n = 3
+air.wait = 0.5
+.END
+.STRINGS
+$part = "A-100"
+.END
