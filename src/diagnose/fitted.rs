@@ -69,12 +69,31 @@ impl<'a> Ground<'a> {
             state = nearer.unwrap_or(state);
         }
         // Stated sigmas are lower bounds, so those stay what they are; a level that is found starts where it was found.
-        let problem = if self.stated { self.problem.clone() } else { from.estimate.problem.clone() };
+        let problem = if self.stated { self.problem.clone() } else { self.problem_like(from) };
         let mut estimate = estimate(problem, state, &unknowns, self.stated)?;
         if !self.stated {
             estimate.scale *= from.estimate.scale;
         }
         Ok(Fitted { estimate, terms: terms.to_vec(), spans })
+    }
+
+    /// The records with the noise level that another fit has found.
+    fn problem_like(&self, fitted: &Fitted<'_>) -> Problem<'a> {
+        let mut problem = self.problem.clone();
+        for record in &mut problem.records {
+            record.sigma_m *= fitted.estimate.scale;
+            record.sigma_rad = fitted.estimate.spread.sigma_rad.unwrap_or(record.sigma_rad);
+        }
+        problem
+    }
+
+    /// Every so many of the records, no more than `most`; `None` when there are no more anyway.
+    #[must_use]
+    pub fn thinned(&self, most: usize) -> Option<Self> {
+        let records = self.problem.records.len();
+        let stride = records.div_ceil(most.max(1));
+        let kept: Vec<usize> = (0..records).step_by(stride.max(1)).collect();
+        (stride > 1).then(|| Self { problem: self.problem.subset(&kept), ..self.clone() })
     }
 
     /// Fits these causes with the sigmas of another fit, from where that stands, to compare the two.
@@ -213,4 +232,23 @@ impl Fitted<'_> {
         let sigmas = span.clone().map(|index| fit.covariance_root.row(index).norm());
         (DVector::from_iterator(span.len(), values), DVector::from_iterator(span.len(), sigmas))
     }
+
+    /// What taking a term out would add to the cost, to first order: `x' C^-1 x` with its numbers x and their covariance C
+    /// (Wald 1943; exact for a linear problem), and how many of its numbers the fit determines.
+    pub fn worth_of(&self, term: usize) -> (f64, usize) {
+        let root = self.estimate.fit.covariance_root.rows(self.spans[term].start, self.spans[term].len()).into_owned();
+        let sizes: Vec<f64> = root.row_iter().map(|row| row.norm().max(f64::MIN_POSITIVE)).collect();
+        let (values, _) = self.values_of(term);
+        let correlation = &root * root.transpose();
+        let correlation =
+            DMatrix::from_fn(sizes.len(), sizes.len(), |i, j| correlation[(i, j)] / (sizes[i] * sizes[j]));
+        let scaled = DVector::from_iterator(sizes.len(), values.iter().zip(&sizes).map(|(value, size)| value / size));
+        let eigen = nalgebra::SymmetricEigen::new(correlation);
+        let parts = eigen.eigenvectors.tr_mul(&scaled);
+        let kept: Vec<usize> = (0..sizes.len()).filter(|&k| eigen.eigenvalues[k] > ROUNDING).collect();
+        (kept.iter().map(|&k| parts[k] * parts[k] / eigen.eigenvalues[k]).sum(), kept.len())
+    }
 }
+
+/// Eigenvalues of a correlation below this are rounding.
+const ROUNDING: f64 = 1e-12;
