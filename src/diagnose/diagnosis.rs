@@ -159,7 +159,7 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     let before = errors(&bare.estimate, rms_mm(&before_squares));
     let after_squares = held_out_m2(&found.fitted, &found.blocks, None);
     let after = errors(&found.fitted.estimate, rms_mm(&after_squares));
-    let mut findings = findings(&found, &bare.estimate, after.held_out_rms_mm);
+    let mut findings = findings(&found, after.held_out_rms_mm);
     findings.sort_by(|a, b| b.share.total_cmp(&a.share));
     let unexplained = unexplained(&found)?;
     let verdict = match (findings.is_empty(), &unexplained) {
@@ -210,11 +210,10 @@ fn errors(estimate: &Estimate<'_>, held_out_rms_mm: f64) -> Errors {
     Errors { fitted: Figures::of(&lengths).unwrap_or(nothing), held_out_rms_mm }
 }
 
-fn findings(found: &Found<'_>, before: &Estimate<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
+fn findings(found: &Found<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
     let fitted = &found.fitted;
-    // Sums of squares in metres: the two fits have noise levels of their own.
-    let squares_m2 = |estimate: &Estimate<'_>, cost: f64| cost * estimate.spread.sigma_m.powi(2);
-    let total_m2 = squares_m2(before, before.fit.cost);
+    // Sums of squares in metres: whitened, the fits with and without have noise levels of their own.
+    let sigma_m = fitted.estimate.spread.sigma_m;
     (0..fitted.terms.len())
         .map(|term| {
             let candidate = &fitted.terms[term];
@@ -223,13 +222,13 @@ fn findings(found: &Found<'_>, before: &Estimate<'_>, held_out_rms_mm: f64) -> V
             let squares = held_out_m2(fitted, &found.blocks, Some(term));
             let looked_at = evidence::looked_at(candidate.places);
             let gain = &review.gain;
-            let explained_m2 = squares_m2(&fitted.estimate, gain.explained);
+            let explained_m2 = gain.explained * sigma_m.powi(2);
             Finding {
                 instance: candidate.instances[0],
                 values: named_values(&candidate.instances, &values, &sigmas),
                 held_out_rms_mm: [rms_mm(&squares), held_out_rms_mm],
                 p_value: evidence::p_value(gain.explained, gain.rank, review.cost, review.freedom, looked_at),
-                share: (explained_m2 / total_m2.max(f64::MIN_POSITIVE)).min(1.0),
+                share: (explained_m2 / found.bare_m2.max(f64::MIN_POSITIVE)).min(1.0),
                 alternatives: review
                     .rivals
                     .iter()

@@ -69,12 +69,31 @@ impl<'a> Ground<'a> {
             state = nearer.unwrap_or(state);
         }
         // Stated sigmas are lower bounds, so those stay what they are; a level that is found starts where it was found.
-        let problem = if self.stated { self.problem.clone() } else { from.estimate.problem.clone() };
+        let problem = if self.stated { self.problem.clone() } else { self.problem_like(from) };
         let mut estimate = estimate(problem, state, &unknowns, self.stated)?;
         if !self.stated {
             estimate.scale *= from.estimate.scale;
         }
         Ok(Fitted { estimate, terms: terms.to_vec(), spans })
+    }
+
+    /// The records with the noise level that another fit has found.
+    fn problem_like(&self, fitted: &Fitted<'_>) -> Problem<'a> {
+        let mut problem = self.problem.clone();
+        for record in &mut problem.records {
+            record.sigma_m *= fitted.estimate.scale;
+            record.sigma_rad = fitted.estimate.spread.sigma_rad.unwrap_or(record.sigma_rad);
+        }
+        problem
+    }
+
+    /// Every so many of the records, no more than `most`; `None` when there are no more anyway.
+    #[must_use]
+    pub fn thinned(&self, most: usize) -> Option<Self> {
+        let records = self.problem.records.len();
+        let stride = records.div_ceil(most.max(1));
+        let kept: Vec<usize> = (0..records).step_by(stride.max(1)).collect();
+        (stride > 1).then(|| Self { problem: self.problem.subset(&kept), ..self.clone() })
     }
 
     /// Fits these causes with the sigmas of another fit, from where that stands, to compare the two.

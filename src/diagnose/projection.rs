@@ -124,9 +124,14 @@ impl Projection {
     pub fn held_out(&self, rows: &[usize]) -> DVector<f64> {
         let own = self.basis.select_rows(rows);
         let left = self.residuals.select_rows(rows);
-        let inner = DMatrix::identity(rows.len(), rows.len()) - &own * own.transpose();
+        // The smaller of the two ways to say it: `(I - Q Q')^-1 = I + Q (I - Q'Q)^-1 Q'`.
         // A number that these rows alone determine cannot be held out: what they leave themselves is all there is.
-        inner.cholesky().map_or(left.clone(), |factor| factor.solve(&left))
+        if own.nrows() <= own.ncols() {
+            let inner = DMatrix::identity(own.nrows(), own.nrows()) - &own * own.transpose();
+            return inner.cholesky().map_or_else(|| left.clone(), |factor| factor.solve(&left));
+        }
+        let inner = DMatrix::identity(own.ncols(), own.ncols()) - own.transpose() * &own;
+        inner.cholesky().map_or_else(|| left.clone(), |factor| &left + &own * factor.solve(&own.tr_mul(&left)))
     }
 
     /// What these columns (whitened) explain of the residuals.
@@ -294,7 +299,12 @@ mod tests {
         let free = sample(60, 5, 0.0);
         let y = DVector::from_fn(60, |i, _| (i as f64 * 1.7).cos());
         let projection = Projection::new(&free, &[2.0; 5], &y, &[0.0; 5]);
-        let held: Vec<usize> = (12..24).collect();
+        for held in [(12..24).collect::<Vec<usize>>(), vec![3, 40]] {
+            held_out_agrees(&free, &y, &projection, &held);
+        }
+    }
+
+    fn held_out_agrees(free: &DMatrix<f64>, y: &DVector<f64>, projection: &Projection, held: &[usize]) {
         let kept: Vec<usize> = (0..60).filter(|row| !held.contains(row)).collect();
         let mut stacked = DMatrix::zeros(kept.len() + 5, 5);
         stacked.rows_mut(0, kept.len()).copy_from(&free.select_rows(&kept));
@@ -302,8 +312,8 @@ mod tests {
         let mut right = DVector::zeros(kept.len() + 5);
         right.rows_mut(0, kept.len()).copy_from(&y.select_rows(&kept));
         let solved = stacked.svd(true, true).solve(&right, 1e-12).expect("factors");
-        let expected = y.select_rows(&held) - free.select_rows(&held) * solved;
-        assert!((projection.held_out(&held) - expected).norm() < 1e-9);
+        let expected = y.select_rows(held) - free.select_rows(held) * solved;
+        assert!((projection.held_out(held) - expected).norm() < 1e-9);
     }
 
     #[test]

@@ -35,6 +35,8 @@ pub struct Other {
     pub evidence: f64,
 }
 
+/// Causes up to which the constants of the others' places are searched again for each.
+const MOST_SEARCHED: usize = 8;
 /// Rivals that are told of one cause.
 const MOST_RIVALS: usize = 4;
 
@@ -50,11 +52,12 @@ pub fn review(found: &Found<'_>) -> Result<Vec<Review>, NoPose> {
     let estimate = &fitted.estimate;
     let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
     let standing = suspects(&regressors)?;
+    let few = fitted.terms.len() <= MOST_SEARCHED;
     let of_term = |term: usize| {
         let own = &fitted.terms[term];
         let (evidence, projection) = found.evidence_of(&regressors, term);
         let gain = projection.gain(&fitted.columns_of(term));
-        let mut all = searched(&regressors, &projection);
+        let mut all = if few { searched(&regressors, &projection) } else { Vec::new() };
         all.extend(standing.iter().cloned());
         let ranked = rank(&all, &projection);
         let known = |candidate: &Candidate| fitted.terms.iter().any(|known| known.same_as(candidate));
