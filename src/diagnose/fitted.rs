@@ -232,4 +232,23 @@ impl Fitted<'_> {
         let sigmas = span.clone().map(|index| fit.covariance_root.row(index).norm());
         (DVector::from_iterator(span.len(), values), DVector::from_iterator(span.len(), sigmas))
     }
+
+    /// What taking a term out would add to the cost, to first order: `x' C^-1 x` with its numbers x and their covariance C
+    /// (Wald 1943; exact for a linear problem), and how many of its numbers the fit determines.
+    pub fn worth_of(&self, term: usize) -> (f64, usize) {
+        let root = self.estimate.fit.covariance_root.rows(self.spans[term].start, self.spans[term].len()).into_owned();
+        let sizes: Vec<f64> = root.row_iter().map(|row| row.norm().max(f64::MIN_POSITIVE)).collect();
+        let (values, _) = self.values_of(term);
+        let correlation = &root * root.transpose();
+        let correlation =
+            DMatrix::from_fn(sizes.len(), sizes.len(), |i, j| correlation[(i, j)] / (sizes[i] * sizes[j]));
+        let scaled = DVector::from_iterator(sizes.len(), values.iter().zip(&sizes).map(|(value, size)| value / size));
+        let eigen = nalgebra::SymmetricEigen::new(correlation);
+        let parts = eigen.eigenvectors.tr_mul(&scaled);
+        let kept: Vec<usize> = (0..sizes.len()).filter(|&k| eigen.eigenvalues[k] > ROUNDING).collect();
+        (kept.iter().map(|&k| parts[k] * parts[k] / eigen.eigenvalues[k]).sum(), kept.len())
+    }
 }
+
+/// Eigenvalues of a correlation below this are rounding.
+const ROUNDING: f64 = 1e-12;

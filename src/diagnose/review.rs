@@ -35,7 +35,7 @@ pub struct Other {
     pub evidence: f64,
 }
 
-/// Causes up to which the constants of the others' places are searched again for each.
+/// Causes for which rivals are looked for: the strongest.
 const MOST_SEARCHED: usize = 8;
 /// Rivals that are told of one cause.
 const MOST_RIVALS: usize = 4;
@@ -52,13 +52,18 @@ pub fn review(found: &Found<'_>) -> Result<Vec<Review>, NoPose> {
     let estimate = &fitted.estimate;
     let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
     let standing = suspects(&regressors)?;
-    let few = fitted.terms.len() <= MOST_SEARCHED;
+    let mut strongest: Vec<usize> = (0..fitted.terms.len()).collect();
+    strongest.sort_by(|&a, &b| fitted.worth_of(b).0.total_cmp(&fitted.worth_of(a).0));
+    strongest.truncate(MOST_SEARCHED);
     let of_term = |term: usize| {
         let own = &fitted.terms[term];
         let (evidence, projection) = found.evidence_of(&regressors, term);
         let gain = projection.gain(&fitted.columns_of(term));
-        let mut all = if few { searched(&regressors, &projection) } else { Vec::new() };
-        all.extend(standing.iter().cloned());
+        let mut all = Vec::new();
+        if strongest.contains(&term) {
+            all.extend(searched(&regressors, &projection));
+            all.extend(standing.iter().cloned());
+        }
         let ranked = rank(&all, &projection);
         let known = |candidate: &Candidate| fitted.terms.iter().any(|known| known.same_as(candidate));
         let better = ranked.iter().find(|other| match &other.suspect.cause {

@@ -21,6 +21,10 @@ const HIGHEST_ORDER: f64 = 212.0;
 const LOWEST_ORDER: f64 = 3.0;
 /// Points of the grid on one line's width (one over the range in revolutions): a line between two points loses 5 %.
 const POINTS_ON_A_LINE: f64 = 4.0;
+/// Orders up to here are asked exactly, and of the higher ones this many.
+const ALL_BELOW: f64 = 12.0;
+/// See [`ALL_BELOW`].
+const STRONGEST: usize = 16;
 /// Joints that turn less than this part of a revolution show no order.
 const SMALLEST_RANGE: f64 = 0.05;
 /// Fewest records on either side of a step.
@@ -154,10 +158,8 @@ fn best_order(
         projection.gain(&regressors.through(&EffectInstance { effect, location })).explained
     };
     let step = 1.0 / (POINTS_ON_A_LINE * range);
-    let count = ((HIGHEST_ORDER - LOWEST_ORDER) / step) as usize;
-    let (best, _) = (0..count)
+    let (best, _) = worth_a_look(joint, step, regressors, projection)
         .into_par_iter()
-        .map(|index| LOWEST_ORDER + step * index as f64)
         .map(|order| (order, explained(order)))
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
     let found = narrowed((best - step).max(LOWEST_ORDER), best + step, explained);
@@ -171,6 +173,38 @@ fn best_order(
         if worth(explained(whole), 0) <= worth(explained(found), 1) { (whole, 0) } else { (rounded(found), 1) };
     let location = Location { order: Some(order), ..Location::at_joint(joint) };
     Some(Candidate { instances: vec![EffectInstance { effect, location }], places, chosen_constants })
+}
+
+/// Orders of a grid that are asked exactly: all low ones, where what is free takes most of a line away, and of the high ones
+/// the strongest in the periodogram of the residuals as the joint's lever sees them.
+fn worth_a_look(joint: usize, step: f64, regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<f64> {
+    let angles = values(regressors, Variable::Position(joint));
+    let (mut pull, mut weight) = (vec![0.0; angles.len()], vec![0.0; angles.len()]);
+    for (row, &record) in regressors.record_of.iter().enumerate() {
+        let lever = regressors.joints[(row, joint)];
+        pull[record] += lever * projection.residuals[row];
+        weight[record] += lever * lever;
+    }
+    let power = |order: f64| {
+        let (mut sine, mut cosine, mut ss, mut cc, mut sc) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for ((angle, pull), weight) in angles.iter().zip(&pull).zip(&weight) {
+            let (sin, cos) = (order * angle).sin_cos();
+            sine += pull * sin;
+            cosine += pull * cos;
+            ss += weight * sin * sin;
+            cc += weight * cos * cos;
+            sc += weight * sin * cos;
+        }
+        let determinant = (ss * cc - sc * sc).max(f64::MIN_POSITIVE);
+        (sine * sine * cc - 2.0 * sine * cosine * sc + cosine * cosine * ss) / determinant
+    };
+    let count = ((HIGHEST_ORDER - LOWEST_ORDER) / step) as usize;
+    let (mut chosen, high): (Vec<f64>, Vec<f64>) =
+        (0..count).map(|index| LOWEST_ORDER + step * index as f64).partition(|order| *order <= ALL_BELOW);
+    let mut high: Vec<(f64, f64)> = high.into_par_iter().map(|order| (order, power(order))).collect();
+    high.sort_by(|a, b| b.1.total_cmp(&a.1));
+    chosen.extend(high.into_iter().take(STRONGEST).map(|(order, _)| order));
+    chosen
 }
 
 /// The best moment of a step of each frame that has none yet.

@@ -12,14 +12,14 @@ use super::evidence::{self, DECIDES, SMALLEST_PART};
 use super::fitted::{Fitted, Ground};
 use super::free::{FreeFunction, Seat};
 use super::hold_out::Blocks;
-use super::projection::Projection;
+use super::projection::{Gain, Projection};
 use super::rank::{Cause, Ranked, Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
 use super::review::{Review, review};
 use super::scan;
 
 /// Causes that one diagnosis finds at most.
-const MOST_CAUSES: usize = 40;
+const MOST_CAUSES: usize = 24;
 /// Records that are searched at most: what shows in these is decided, and motion sampled quicker repeats itself.
 const MOST_SEARCHED: usize = 800;
 /// Suspects tried in one round before giving up.
@@ -38,6 +38,8 @@ const LARGE: f64 = 0.1;
 /// No law is exact: what a further cause explains must be more than this part of what is explained already, seven per cent
 /// of its amplitude, not to be the error of the laws that were named.
 const LAW_ERROR: f64 = 0.005;
+/// Evidence so far against a suspect that what else is found between two fits does not turn it.
+const HOPELESS: f64 = 15.0;
 /// A constant of a place is changed when the whole fit gains this much by it, on the scale of [`evidence::penalised`].
 const BETTER_CONSTANT: f64 = 2.0;
 
@@ -109,7 +111,7 @@ impl<'a> Found<'a> {
     fn add_some(&mut self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<bool, NoPose> {
         let estimate = self.fitted.estimate.clone();
         let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
-        let standing = suspects(&regressors)?;
+        let mut standing = suspects(&regressors)?;
         let mut projection = self.projection(&regressors, None);
         let (mut named, mut fresh, mut grown) = (Vec::<Candidate>::new(), Vec::new(), false);
         while self.fitted.terms.len() + named.len() + self.free.len() < MOST_CAUSES {
@@ -132,6 +134,9 @@ impl<'a> Found<'a> {
             projection = projection.with(&suspect.columns);
             if part > LARGE {
                 break;
+            }
+            if fresh.len() == 1 {
+                standing = not_hopeless(standing, &projection);
             }
         }
         if !named.is_empty() {
@@ -289,7 +294,10 @@ impl<'a> Found<'a> {
             let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
             self.drop_idle_free(&regressors);
             let idle = |term: usize| {
-                let evidence = self.evidence_of(&regressors, term).0;
+                let evidence = match self.free.is_empty() {
+                    true => self.quick_evidence(term),
+                    false => self.evidence_of(&regressors, term).0,
+                };
                 (evidence >= 0.0).then_some((term, evidence))
             };
             let idlest = (0..self.fitted.terms.len()).filter_map(idle).max_by(|a, b| a.1.total_cmp(&b.1));
@@ -316,6 +324,17 @@ impl<'a> Found<'a> {
                 index += 1;
             }
         }
+    }
+
+    /// Evidence against a found cause given all others, from the fit itself.
+    fn quick_evidence(&self, term: usize) -> f64 {
+        let candidate = &self.fitted.terms[term];
+        let (values, sigmas) = self.fitted.values_of(term);
+        let doubt = evidence::doubt(&candidate.instances, &values, &sigmas).unwrap_or(f64::INFINITY);
+        let (explained, rank) = self.fitted.worth_of(term);
+        let fit = &self.fitted.estimate.fit;
+        let gain = Gain { explained, rank, values, sigmas };
+        evidence::of_candidate(candidate, &gain, fit.cost + explained, fit.residuals.len()) + doubt
     }
 
     /// Evidence against a found cause given all others, and the projection without it.
@@ -356,6 +375,12 @@ impl<'a> Found<'a> {
         }
         Ok(false)
     }
+}
+
+/// The suspects that may still have a case in this look at the residuals; the next look asks all of them again.
+fn not_hopeless(standing: Vec<Suspect>, projection: &Projection) -> Vec<Suspect> {
+    let ranked = rank(&standing, projection);
+    ranked.into_iter().filter(|ranked| ranked.evidence < HOPELESS).map(|ranked| ranked.suspect.clone()).collect()
 }
 
 /// The causes with a further one. A bent spring takes in the straight one that was found at its joint before.
