@@ -63,7 +63,7 @@ pub struct Outcome {
     /// Good records called gross errors.
     pub accused: usize,
     /// Noise as told over noise as it is.
-    pub noise_ratio: f64,
+    pub noise_ratio: Option<f64>,
     pub seconds: f64,
     /// Why there was no diagnosis.
     pub refused: Option<String>,
@@ -97,7 +97,7 @@ pub fn judge(spec: &Spec, trial: &Trial) -> Outcome {
         recovered: None,
         outliers: [0, truth.outliers.len()],
         accused: 0,
-        noise_ratio: f64::NAN,
+        noise_ratio: None,
         seconds: 0.0,
         refused: None,
     };
@@ -119,8 +119,8 @@ pub fn judge(spec: &Spec, trial: &Trial) -> Outcome {
     let told: BTreeSet<&str> = report["outliers"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     outcome.outliers[0] = truth.outliers.iter().filter(|id| told.contains(id.as_str())).count();
     outcome.accused = told.len() - outcome.outliers[0];
-    let noise_mm = report["recording"]["noise_sigma_mm"].as_f64().unwrap_or(f64::NAN);
-    outcome.noise_ratio = noise_mm / (1e3 * truth.sigma_m);
+    let noise_mm = report["recording"]["noise_sigma_mm"].as_f64();
+    outcome.noise_ratio = noise_mm.map(|noise_mm| noise_mm / (1e3 * truth.sigma_m));
     if let Some(predicted) = answer.predicted_m.filter(|predicted| predicted.len() == truth.points_m.len()) {
         let squares: f64 = predicted.iter().zip(&truth.points_m).map(|(one, point)| (one - point).norm_squared()).sum();
         let missing = truth.concealed.iter().map(|one| (one.level * truth.sigma_m).powi(2)).sum::<f64>() * 3.0;

@@ -25,7 +25,8 @@ const AMBIENT_C: f64 = 22.0;
 pub fn written(spec: &Spec, measured: &Measured<'_>, dice: &mut Dice) -> (String, Vec<String>) {
     let mut text = header(spec, true);
     let mut outliers = Vec::new();
-    let elsewhere = Isometry3::new(dice.normals() * 1.5, Vector3::new(0.01, 0.02, dice.angle()));
+    // Set up anew and registered to where it stood before, as well as registration goes.
+    let elsewhere = Isometry3::new(dice.normals() * 1.5e-3, dice.normals() * 1e-3);
     let moves_at = dice.between(0.35, 0.65);
     for (index, (moment, point)) in measured.moments.iter().zip(measured.points_m).enumerate() {
         let id = (index + 1).to_string();

@@ -55,7 +55,8 @@ fn right(judged: &[&Judged]) -> (usize, usize) {
 
 fn overview(outcomes: &[Outcome], text: &mut String) {
     let refused = outcomes.iter().filter(|outcome| outcome.refused.is_some()).count();
-    let _ = writeln!(text, "{} trials; {refused} recordings were refused.\n", outcomes.len());
+    let all = crate::plan::all().len();
+    let _ = writeln!(text, "{} of {all} trials done; {refused} recordings were refused.\n", outcomes.len());
     let _ = writeln!(text, "| nothing concealed | something named | told as unexplained |\n| --- | --- | --- |");
     for (moving, words) in [(false, "standing"), (true, "moving")] {
         let nulls = || group(outcomes, "null").filter(move |outcome| outcome.moving == moving);
@@ -85,7 +86,8 @@ fn power(outcomes: &[Outcome], text: &mut String) {
                 .filter(|one| one.kind == kind)
                 .collect();
             let (k, n) = right(&judged);
-            let _ = write!(text, " {k} of {n} |");
+            let cell = if n == 0 { "-".into() } else { format!("{k} of {n}") };
+            let _ = write!(text, " {cell} |");
         }
         text.push('\n');
     }

@@ -88,7 +88,7 @@ impl fmt::Display for Location {
             MovingFrame::Base => "base frame".to_string(),
             MovingFrame::Tool => "tool frame".to_string(),
         }));
-        say(self.at_s.map(|at_s| format!("at {at_s} s")));
+        say(self.at_s.map(|at_s| format!("at {at_s:.1} s")));
         say(self.payload.map(|_| "payload".to_string()));
         say(self.base.map(|_| "base".to_string()));
         say(self.clock.map(|_| "clock".to_string()));

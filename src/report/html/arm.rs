@@ -8,6 +8,8 @@ use super::markup::{Markup, escaped};
 const WIDTH: f64 = 440.0;
 const HEIGHT: f64 = 340.0;
 const MARGIN: f64 = 56.0;
+/// Joints nearer than this have labels that touch, px.
+const CLOSE: f64 = 30.0;
 
 /// Something marked: where, and the word beside it.
 pub struct Mark {
@@ -58,11 +60,15 @@ pub fn arm(sketch: &Sketch, marks: &[Mark], page: &mut Markup) {
             label([0.5 * (x1 + x2) + dx, 0.5 * (y1 + y2) + dy + 4.0], dx, &link, "", page);
         }
     }
+    let mut side = 1.0;
     for (index, joint) in sketch.joints.iter().enumerate() {
+        // Labels of joints that stand close together stand on either side.
+        let [[x1, y1], [x2, y2]] = [place(&points[index]), place(joint)];
+        side = if (x2 - x1).hypot(y2 - y1) < CLOSE { -side } else { 1.0 };
         let own = words(&|at| at.joint == Some(index + 1));
         let [x, y] = place(joint);
         page.raw(format_args!("<circle class=\"joint{}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"7\"/>\n", class(&own)));
-        let [dx, dy] = beside(index + 1, 18.0);
+        let [dx, dy] = beside(index + 1, 18.0 * side);
         label([x + dx, y + dy + 4.0], dx, &own, &format!("J{}", index + 1), page);
     }
     let tool = words(&|at| at.payload == Some(true) || at.frame == Some(MovingFrame::Tool));

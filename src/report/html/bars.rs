@@ -18,7 +18,7 @@ pub struct Bar {
 const WIDTH: f64 = 560.0;
 const ROW: f64 = 26.0;
 const NAMES: f64 = 220.0;
-const WORDS: f64 = 80.0;
+const WORDS: f64 = 100.0;
 
 /// Draws bars on one scale from zero to `full`.
 pub fn bars(title: &str, full: f64, rows: &[Bar], page: &mut Markup) {

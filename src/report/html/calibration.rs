@@ -64,28 +64,21 @@ fn stages(report: &Report, body: &mut Markup) {
         let numbers = figures.map(|one| [one.mean_mm, one.rms_mm, one.max_mm].map(short));
         numbers.map_or_else(|| vec!["-".to_string(); 3], |numbers| numbers.to_vec())
     };
+    let trained = report.stages.iter().any(|stage| stage.train.is_some());
     let rows: Vec<Vec<String>> = report
         .stages
         .iter()
         .map(|stage| {
             let mut row = vec![stage.name.replace('_', " "), stage.free.to_string()];
-            row.extend([&stage.identify, &stage.train, &stage.validate].into_iter().flat_map(cells));
+            row.extend(cells(&stage.identify));
+            row.extend(if trained { cells(&stage.train) } else { Vec::new() });
+            row.extend(cells(&stage.validate));
             row
         })
         .collect();
-    let heads = [
-        "distances, mm",
-        "free",
-        "identify: mean",
-        "RMS",
-        "largest",
-        "train: mean",
-        "RMS",
-        "largest",
-        "validate: mean",
-        "RMS",
-        "largest",
-    ];
+    let mut heads = vec!["distances, mm", "free", "identify: mean", "RMS", "largest"];
+    heads.extend(if trained { &["train: mean", "RMS", "largest"][..] } else { &[] });
+    heads.extend(["validate: mean", "RMS", "largest"]);
     body.table(&heads, 1, &rows);
     let means: Vec<(String, f64)> = (0..report.stages.len())
         .filter_map(|index| Some((report.stages[index].name.replace('_', " "), judged(report, index)?.mean_mm)))

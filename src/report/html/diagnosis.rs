@@ -29,7 +29,7 @@ pub struct DiagnosisPage<'a> {
 }
 
 /// Colours of findings in the bars, in turn.
-const COLOURS: [&str; 5] = ["blue", "orange", "green", "violet", "red"];
+const COLOURS: [&str; 4] = ["blue", "orange", "green", "violet"];
 /// Outliers named one by one.
 const LISTED: usize = 60;
 
@@ -99,8 +99,15 @@ fn contributions(report: &DiagnosisReport, body: &mut Markup) {
         })
         .collect();
     let left = (1.0 - report.findings.iter().map(|finding| finding.share).sum::<f64>()).clamp(0.0, 1.0);
-    let name = if report.unexplained.is_some() { "noise and what has no name" } else { "noise" };
-    rows.push(Bar { name: name.into(), value: left, words: format!("{:.1} %", 100.0 * left), colour: "grey" });
+    let squares = (report.before.rms_mm * report.before.rms_mm).max(f64::MIN_POSITIVE);
+    let nameless = report.unexplained.as_ref().map_or(0.0, |one| (one.rms_mm * one.rms_mm / squares).min(left));
+    let mut further = |name: String, value: f64, colour| {
+        rows.push(Bar { name, value, words: format!("{:.1} %", 100.0 * value), colour });
+    };
+    if let Some(unexplained) = &report.unexplained {
+        further(format!("?  without a name ({})", unexplained.location), nameless, "red");
+    }
+    further("noise".into(), left - nameless, "grey");
     body.raw("<figure>\n");
     bars("shares of the error", 1.0, &rows, body);
     body.element("figcaption", "", "Shares of the remaining error of the refitted model, in squares.");
@@ -206,7 +213,30 @@ fn unexplained(shown: &DiagnosisPage<'_>, body: &mut Markup) {
         let (x_label, y_label) = (trace.against.as_str(), trace.error.as_str());
         Scatter { title: "what is left", x_label, y_label, clouds, y_holds: Vec::new() }.draw(body);
     }
+    if let [one, other] = shown.unexplained
+        && one.points.iter().any(|point| point.after < 0.0)
+    {
+        map(one, other, body);
+    }
     body.raw("</figure>\n");
+}
+
+/// What is left over the plane of two variables: what is a pattern there need show in neither alone.
+fn map(one: &Trace, other: &Trace, body: &mut Markup) {
+    let cloud = |name, colour, positive: bool| Cloud {
+        name,
+        colour,
+        points: one
+            .points
+            .iter()
+            .zip(&other.points)
+            .filter(|(point, _)| (point.after >= 0.0) == positive)
+            .map(|(point, across)| (point.x, across.x, point.id.as_str()))
+            .collect(),
+    };
+    let clouds = vec![cloud("further than modelled", "blue", true), cloud("less far", "orange", false)];
+    let (x_label, y_label) = (one.against.as_str(), other.against.as_str());
+    Scatter { title: "its sign", x_label, y_label, clouds, y_holds: Vec::new() }.draw(body);
 }
 
 fn rest(report: &DiagnosisReport, body: &mut Markup) {
