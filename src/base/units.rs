@@ -4,6 +4,8 @@
 
 /// Metres in a millimetre.
 pub const M_PER_MM: f64 = 1e-3;
+/// Metres in an inch.
+pub const M_PER_INCH: f64 = 25.4e-3;
 /// Millimetres in a metre.
 pub const MM_PER_M: f64 = 1e3;
 

@@ -23,6 +23,32 @@ pub enum OrientationConvention {
     EulerZyz,
     /// Axis times angle (Universal Robots).
     RotationVector,
+    /// i, j, k: the tool's axis, from its tip to its holder (APT, ISO 4343). The tool's Z points the other way. How the
+    /// tool is turned about the axis is not written; a rule says it.
+    ToolAxis(SpinRule),
+}
+
+/// How the tool is turned about a tool axis: its X axis points as far as it can along one axis of the frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SpinRule {
+    /// 0, 1, 2 for X, Y, Z of the frame.
+    pub axis: usize,
+    /// It points against that axis.
+    pub against: bool,
+}
+
+/// Sine of the angle between the tool's axis and the direction of a rule below which the rule says nothing.
+const RULE_SAYS_NOTHING: f64 = 1e-6;
+
+impl SpinRule {
+    /// The orientation of a tool with this axis; `None` for an axis without length, or along the rule's direction.
+    fn rotation(self, tool_axis: &[f64]) -> Option<Matrix3<f64>> {
+        let z = -Vector3::new(tool_axis[0], tool_axis[1], tool_axis[2]).try_normalize(1e-6)?;
+        let mut direction = Vector3::zeros();
+        *direction.get_mut(self.axis)? = if self.against { -1.0 } else { 1.0 };
+        let x = (direction - z * direction.dot(&z)).try_normalize(RULE_SAYS_NOTHING)?;
+        Some(Matrix3::from_columns(&[x, z.cross(&x), z]))
+    }
 }
 
 /// The three or four numbers of an orientation, without allocation: used as a slice.
@@ -91,9 +117,25 @@ impl OrientationConvention {
         self.count() == 4
     }
 
+    /// True when the numbers are angles, in the unit of the file.
+    pub fn has_angles(self) -> bool {
+        !self.is_quaternion() && self.spin_rule().is_none()
+    }
+
+    /// The rule by which a tool axis is completed, where the numbers are a tool axis.
+    pub fn spin_rule(self) -> Option<SpinRule> {
+        match self {
+            Self::ToolAxis(rule) => Some(rule),
+            _ => None,
+        }
+    }
+
     /// True when `numbers` stand for a rotation: the right count, all finite, a quaternion with length.
     pub fn is_rotation(self, numbers: &[f64]) -> bool {
         let finite = numbers.len() == self.count() && numbers.iter().all(|number| number.is_finite());
+        if let Some(rule) = self.spin_rule() {
+            return finite && rule.rotation(numbers).is_some();
+        }
         finite && (!self.is_quaternion() || numbers.iter().map(|number| number * number).sum::<f64>() > 1e-12)
     }
 
@@ -112,6 +154,7 @@ impl OrientationConvention {
             Self::EulerXyz => rotation_x(numbers[0]) * rotation_y(numbers[1]) * rotation_z(numbers[2]),
             Self::EulerZyz => rotation_z(numbers[0]) * rotation_y(numbers[1]) * rotation_z(numbers[2]),
             Self::RotationVector => rotation_from_vector(&Vector3::new(numbers[0], numbers[1], numbers[2])),
+            Self::ToolAxis(rule) => rule.rotation(numbers)?,
         })
     }
 
@@ -137,6 +180,12 @@ impl OrientationConvention {
             }
             Self::EulerZyz => zyz_near(rotation, &first_three(near)).into(),
             Self::RotationVector => vector_near(rotation, &first_three(near)).into(),
+            Self::ToolAxis(_) => {
+                // An axis that was written with another length keeps it.
+                let length = Vector3::from(first_three(near)).norm();
+                let axis = -rotation.column(2) * if length > 0.0 { length } else { 1.0 };
+                [axis[0], axis[1], axis[2]].into()
+            }
         }
     }
 }
@@ -280,6 +329,28 @@ mod tests {
                 assert_abs_diff_eq!(a, b, epsilon = 1e-12);
             }
         }
+    }
+
+    #[test]
+    fn a_tool_axis_points_from_tip_to_holder_and_a_rule_turns_the_tool() {
+        let along_x = OrientationConvention::ToolAxis(SpinRule { axis: 0, against: false });
+        // A spindle that stands upright over the work: tool Z down, tool X along work X.
+        let upright = along_x.rotation(&[0.0, 0.0, 1.0]).expect("an orientation");
+        assert_abs_diff_eq!(upright, Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0)), epsilon = 1e-15);
+        // Tilted by 30 degrees in the plane of X and Z: tool X stays in that plane.
+        let (sin, cos) = 30f64.to_radians().sin_cos();
+        let tilted = along_x.rotation(&[sin, 0.0, cos]).expect("an orientation");
+        assert_abs_diff_eq!(tilted.column(0).into_owned(), Vector3::new(cos, 0.0, -sin), epsilon = 1e-15);
+        assert_abs_diff_eq!(tilted.determinant(), 1.0, epsilon = 1e-15);
+        let back = along_x.numbers(&tilted, &[0.5, 0.0, 0.866]);
+        let length = 0.5f64.hypot(0.866);
+        assert_abs_diff_eq!(back[0], sin * length, epsilon = 1e-15);
+        let against_y = OrientationConvention::ToolAxis(SpinRule { axis: 1, against: true });
+        let turned = against_y.rotation(&[0.0, 0.0, 2.0]).expect("an orientation");
+        assert_abs_diff_eq!(turned.column(0).into_owned(), -Vector3::y(), epsilon = 1e-15);
+        // Along the rule's own direction there is no orientation.
+        assert!(along_x.rotation(&[1.0, 0.0, 0.0]).is_none() && !along_x.is_rotation(&[-2.0, 0.0, 0.0]));
+        assert!(along_x.rotation(&[0.0, 0.0, 0.0]).is_none());
     }
 
     #[test]

@@ -32,6 +32,16 @@ pub struct Insertion {
     pub before: String,
     /// For example `"`.
     pub after: String,
+    /// True where a number that is left out is that of the target before (G-code). A corrected program writes all of
+    /// them, changed or not, or targets would take over the corrected numbers of others.
+    pub repeats: bool,
+}
+
+impl NumberField {
+    /// True for a number that is left out because it is that of the target before.
+    pub fn repeats(&self) -> bool {
+        self.insertion.as_ref().is_some_and(|insertion| insertion.repeats)
+    }
 }
 
 /// How a language lets numbers be written.
@@ -194,7 +204,7 @@ mod tests {
         assert_eq!(written(&plain, b"+12.34", &Decimal::nearest(1.5, 2)).1, "+1.50");
         let column = NumberField { column: Some(Span::new(0, 9)), ..field("1.5") };
         assert_eq!(written(&column, b"1.5", &Decimal::nearest(2.25, 3)), (Span::new(0, 9), "    2.250".into()));
-        let insertion = Some(Box::new(Insertion { before: " x=\"".into(), after: "\"".into() }));
+        let insertion = Some(Box::new(Insertion { before: " x=\"".into(), after: "\"".into(), repeats: false }));
         let absent = NumberField { span: Span::new(7, 7), insertion, ..field("0") };
         assert_eq!(written(&absent, b"", &Decimal::nearest(2.25, 2)), (Span::new(7, 7), " x=\"2.25\"".into()));
     }

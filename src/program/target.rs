@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Span;
-use crate::base::units::{M_PER_MM, m_from_mm};
+use crate::base::units::{M_PER_INCH, M_PER_MM, m_from_mm};
 use crate::geometry::orientation::{OrientationConvention, OrientationNumbers};
 use crate::geometry::pose::Pose;
 
@@ -129,20 +129,31 @@ pub enum TargetValue {
     Unwritten,
 }
 
+/// Unit of length in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LengthUnit {
+    /// 1e-3 m.
+    Millimetre,
+    /// 1 m.
+    Metre,
+    /// 25.4e-3 m.
+    Inch,
+}
+
 /// Unit of length or angle in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Units {
-    /// Length numbers are metres (else millimetres).
-    pub metres: bool,
+    /// What one of a length number is.
+    pub length: LengthUnit,
     /// Angle numbers are radians (else degrees).
     pub radians: bool,
 }
 
 impl Units {
     /// Millimetres and degrees: what almost every language writes.
-    pub const MM_DEG: Units = Units { metres: false, radians: false };
+    pub const MM_DEG: Units = Units { length: LengthUnit::Millimetre, radians: false };
     /// Metres and radians.
-    pub const M_RAD: Units = Units { metres: true, radians: true };
+    pub const M_RAD: Units = Units { length: LengthUnit::Metre, radians: true };
 }
 
 /// The numbers of a pose.
@@ -298,7 +309,20 @@ impl Target {
 impl Units {
     /// Metres of one length unit.
     pub fn length_m(self) -> f64 {
-        if self.metres { 1.0 } else { M_PER_MM }
+        match self.length {
+            LengthUnit::Millimetre => M_PER_MM,
+            LengthUnit::Metre => 1.0,
+            LengthUnit::Inch => M_PER_INCH,
+        }
+    }
+
+    /// A length as a file with these units has it, from metres.
+    pub fn from_m(self, length_m: f64) -> f64 {
+        match self.length {
+            LengthUnit::Millimetre => length_m * 1e3,
+            LengthUnit::Metre => length_m,
+            LengthUnit::Inch => length_m / M_PER_INCH,
+        }
     }
 
     /// Radians of one angle unit.
@@ -322,7 +346,7 @@ impl CartesianNumbers {
 
     /// The orientation numbers with angles in radians.
     pub fn orientation_in_radians(&self) -> OrientationNumbers {
-        let scale = if self.convention.is_quaternion() { 1.0 } else { self.units.angle_rad() };
+        let scale = if self.convention.has_angles() { self.units.angle_rad() } else { 1.0 };
         self.orientation.iter().map(|field| field.value * scale).collect()
     }
 }
@@ -336,7 +360,11 @@ impl JointNumbers {
 
 /// Three length numbers as a vector, m. Millimetres are divided, so that 0.1 mm stays the nearest double.
 pub fn position_m(numbers: [f64; 3], units: Units) -> Vector3<f64> {
-    Vector3::from(numbers).map(|number| if units.metres { number } else { m_from_mm(number) })
+    Vector3::from(numbers).map(|number| match units.length {
+        LengthUnit::Millimetre => m_from_mm(number),
+        LengthUnit::Metre => number,
+        LengthUnit::Inch => number * M_PER_INCH,
+    })
 }
 
 /// The values of some number fields.

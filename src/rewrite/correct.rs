@@ -18,6 +18,7 @@ use super::digits;
 use super::displaced;
 use super::outcome::{Figures, Outcome, TargetOutcome};
 use super::setting::{Obstacle, Setting, Settings};
+use super::spin;
 use super::visits::{Visit, follow, senses};
 use super::words;
 
@@ -84,6 +85,7 @@ pub fn correct(job: &Job<'_>, model: &ArmModel, controller: &Controller, options
     for index in in_order_of_dependence(job.program) {
         write(job, model, &mut outcomes, index, &mut edits);
     }
+    write_repeated_of_others(job, &outcomes, &mut edits);
     Outcome { targets: outcomes, edits }
 }
 
@@ -229,12 +231,21 @@ impl Work<'_> {
         // A joint target means the pose that the nominal robot takes there.
         let is_joint = matches!(self.job.program.targets[index].value, TargetValue::Joint(_));
         let written = if is_joint { setting.target(&forward(nominal_rad)?) } else { visit.written };
-        let meant = MeantPose { base_t_flange: setting.meant_flange(&written), conditions };
         let in_words = |error| Obstacle::refused(words::no_command(&error, self.controller, nominal_rad));
-        let correction = self.arm.command(&meant, nominal_rad).map_err(in_words)?;
-        // With nothing to correct the target stays the very numbers it was.
-        let after =
-            if correction.iterations == 0 { written } else { setting.target(&forward(&correction.numbers_rad)?) };
+        let command = |meant: &Pose| {
+            let meant_pose = MeantPose { base_t_flange: setting.meant_flange(meant), conditions };
+            let correction = self.arm.command(&meant_pose, nominal_rad).map_err(in_words)?;
+            // With nothing to correct the target stays the very numbers it was.
+            let after =
+                if correction.iterations == 0 { *meant } else { setting.target(&forward(&correction.numbers_rad)?) };
+            Ok((correction, after))
+        };
+        let (correction, after) = match &self.job.program.targets[index].value {
+            TargetValue::Cartesian(numbers) if numbers.convention.spin_rule().is_some() => {
+                spin::along_axis(numbers.convention, &written, command)?
+            }
+            _ => command(&written)?,
+        };
         let lands_before = setting.landed(&correction.nominal_lands);
         Ok(figures(&correction, *nominal_rad, written, after, lands_before))
     }
@@ -315,6 +326,17 @@ fn write(job: &Job<'_>, model: &ArmModel, outcomes: &mut [TargetOutcome], index:
         }
     }
     outcomes[index].figures = Some(figures);
+}
+
+/// A target that stays as it is must not take over corrected numbers of the one before.
+fn write_repeated_of_others(job: &Job<'_>, outcomes: &[TargetOutcome], edits: &mut [EditSet]) {
+    for (target, outcome) in job.program.targets.iter().zip(outcomes) {
+        let changed = outcome.figures.as_ref().is_some_and(|figures| figures.iterations > 0);
+        if let (TargetValue::Cartesian(numbers), false, false) = (&target.value, changed, edits[target.file].is_empty())
+        {
+            digits::write_all_repeated(&mut edits[target.file], &job.sources[target.file], numbers);
+        }
+    }
 }
 
 fn figures(correction: &Correction, nominal_rad: [f64; DOF], before: Pose, after: Pose, lands_before: Pose) -> Figures {

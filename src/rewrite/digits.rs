@@ -55,6 +55,7 @@ fn push_group<const N: usize>(
         // A number that does not change keeps its spelling; a default that is left out stays out.
         if rounded == field.value || (number - field.value).abs() < f64::EPSILON * 16.0 * number.abs() {
             *read = field.value;
+            write_repeated(edits, source, field);
             continue;
         }
         let (span, text) = written(field, source.slice(field.span), decimal);
@@ -77,22 +78,37 @@ pub fn write_pose(
     let as_written = numbers.convention.rotation(&near).unwrap_or_else(Matrix3::identity);
     let turned_by = |rotation: &Matrix3<f64>| vector_from_rotation(&(pose.rotation * rotation.transpose())).norm();
     if turned_by(&as_written) < SAME_ORIENTATION {
+        numbers.orientation.iter().for_each(|field| write_repeated(edits, source, field));
         return Pose { rotation: as_written, translation };
     }
-    let quaternion = numbers.convention.is_quaternion();
-    let unit = if quaternion { 1.0 } else { numbers.units.angle_rad() };
+    let angles = numbers.convention.has_angles();
+    let unit = if angles { numbers.units.angle_rad() } else { 1.0 };
     let exact = numbers.convention.numbers(&pose.rotation, &near).map(|number| number / unit).padded();
     let read = |values: &[f64]| {
         let in_radians: OrientationNumbers = values.iter().map(|value| value * unit).collect();
         numbers.convention.rotation(&in_radians)
     };
-    // A quaternion's components turn twice as far as they change.
-    let unit_size = if quaternion { 2.0 } else { unit };
+    // A quaternion's components turn twice as far as they change; those of a tool axis less.
+    let unit_size = if angles { unit } else { 2.0 };
     let fields = &numbers.orientation;
     let error = |values: &[f64]| read(values).map_or(f64::INFINITY, |rotation| turned_by(&rotation));
     let decimals = rounded(fields, &exact, unit_size, rules, error);
     let as_read = push_group(edits, source, fields, &exact, &decimals);
     Pose { rotation: read(&as_read[..fields.len().min(4)]).unwrap_or(pose.rotation), translation }
+}
+
+/// Writes out a number that is left out because it is that of the target before.
+fn write_repeated(edits: &mut EditSet, source: &Source, field: &NumberField) {
+    if field.repeats() {
+        let (span, text) = written(field, source.slice(field.span), &Decimal::nearest(field.value, field.decimals));
+        edits.push(span, text);
+    }
+}
+
+/// Writes out all numbers that a target leaves out because they are those of the target before, as they are: for a
+/// target that is not corrected, in a program in which others are.
+pub fn write_all_repeated(edits: &mut EditSet, source: &Source, numbers: &CartesianNumbers) {
+    numbers.position.iter().chain(&numbers.orientation).for_each(|field| write_repeated(edits, source, field));
 }
 
 /// Writes three lengths; gives them as they will be read back, m.
@@ -105,7 +121,7 @@ pub fn write_position(
     exact_m: &nalgebra::Vector3<f64>,
 ) -> nalgebra::Vector3<f64> {
     let unit = units.length_m();
-    let exact: [f64; 3] = exact_m.map(|length| if units.metres { length } else { length * 1e3 }).into();
+    let exact: [f64; 3] = exact_m.map(|length| units.from_m(length)).into();
     let error = |values: &[f64]| values.iter().zip(&exact).map(|(a, b)| ((a - b) * unit).powi(2)).sum::<f64>().sqrt();
     let decimals = rounded(position, &exact, unit, rules, error);
     position_m(push_group(edits, source, position, &exact, &decimals), units)
@@ -155,6 +171,21 @@ mod tests {
     fn the_files_own_decimals_stay_where_they_suffice() {
         assert_eq!(rewritten("1.000,2.000,3.000", [1.1234, 2.0001, 3.0]), "1.123,2.000,3.000");
         assert_eq!(rewritten("1.0,2.0,3.0", [1.5, 2.0, 3.0]), "1.5,2.0,3.0");
+    }
+
+    #[test]
+    fn numbers_that_repeat_are_written_out_even_where_they_stay() {
+        let source = Source::new("t", "G1 X1.0 Y2.0");
+        let mut fields = fields("1.0,2.0,3.0");
+        fields[0].span = crate::base::text::Span::new(4, 7);
+        fields[1].span = crate::base::text::Span::new(9, 12);
+        fields[2].span = crate::base::text::Span::new(12, 12);
+        let insertion = crate::program::number::Insertion { before: " Z".into(), after: String::new(), repeats: true };
+        fields[2].insertion = Some(Box::new(insertion));
+        let mut edits = EditSet::default();
+        let exact_m = nalgebra::Vector3::new(1.0e-3, 2.5e-3, 3.0e-3);
+        write_position(&mut edits, &source, &fields, Units::MM_DEG, &NumberRules::default(), &exact_m);
+        assert_eq!(edits.apply(source.bytes()).as_deref(), Ok(&b"G1 X1.0 Y2.5 Z3.0"[..]));
     }
 
     #[test]

@@ -9,6 +9,7 @@ mod displaced;
 pub mod outcome;
 pub mod play;
 mod setting;
+pub mod spin;
 pub mod split;
 mod visits;
 mod words;

@@ -5,6 +5,7 @@
 
 mod axes;
 mod kuka_status;
+mod left_out;
 mod random_programs;
 mod shipped;
 mod spoil;

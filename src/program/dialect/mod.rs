@@ -6,14 +6,23 @@ use super::number::NumberRules;
 use super::target::Program;
 use super::ties::Ties;
 
+mod aptcl;
+mod csv;
+mod denso;
+mod drl;
 mod fanuc;
+mod gcode;
 mod hyundai;
 mod inform;
 mod kawasaki;
 mod krl;
+mod melfa;
 mod nachi;
+mod pdl2;
 mod rapid;
+mod script;
 mod spel;
+mod stated;
 mod urscript;
 mod val3;
 
@@ -29,6 +38,13 @@ pub const DIALECTS: &[&dyn Dialect] = &[
     &val3::Val3,
     &spel::Spel,
     &nachi::Nachi,
+    &csv::Csv,
+    &gcode::GCode,
+    &aptcl::AptCl,
+    &drl::Drl,
+    &melfa::Melfa,
+    &denso::Denso,
+    &pdl2::Pdl2,
 ];
 
 /// What there is to know about a language without reading a program.

@@ -173,7 +173,11 @@ fn fields(bytes: &[u8], tag: &Tag, names: [&'static str; 6]) -> Result<[NumberFi
                 span: Span::new(place, place),
                 value: 0.0,
                 decimals: 0,
-                insertion: Some(Box::new(Insertion { before: format!(" {name}=\""), after: "\"".into() })),
+                insertion: Some(Box::new(Insertion {
+                    before: format!(" {name}=\""),
+                    after: "\"".into(),
+                    repeats: false,
+                })),
                 column: None,
             },
         });
