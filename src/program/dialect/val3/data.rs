@@ -84,7 +84,7 @@ pub(super) fn read(source: &Source, file: usize, data: &mut Data, program: &mut 
                 b"Field" if !tag.empty => depth_of_fields += 1,
                 b"Value" if depth_of_fields == 0 => {
                     let Some((name, kind)) = &current else { continue };
-                    let key = tag.text(bytes, "key").unwrap_or_else(|| "0".into()).replace(' ', "");
+                    let key = normal(&tag.text(bytes, "key").unwrap_or_else(|| "0".into()));
                     let value = value(source, file, name, *kind, &key, tag);
                     add(data, Element { name: name.clone(), kind: *kind, key }, value, program);
                 }
@@ -103,6 +103,11 @@ pub(super) fn read(source: &Source, file: usize, data: &mut Data, program: &mut 
             Part::Text(..) => {}
         }
     }
+}
+
+/// A key without blanks around its parts: `1, 2` is `1,2`.
+pub(super) fn normal(key: &str) -> String {
+    key.split(',').map(str::trim).collect::<Vec<_>>().join(",")
 }
 
 /// Which element of which variable.

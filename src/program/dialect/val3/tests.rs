@@ -91,6 +91,14 @@ fn frames_and_tools_stand_in_their_fathers() {
 }
 
 #[test]
+fn keys_are_numbers_or_words() {
+    let values = "<Value key=\"drop off\" x=\"1\"/><Value key=\"1, 2\" x=\"2\"/>";
+    let text = "movel(p[\"drop off\"],t,m)\r\nmovel(p[1,2],t,m)";
+    let program = read(&[data(&variable("p", "pointRx", values)), code("start", "", text)]);
+    assert_eq!(program.targets.iter().filter(|target| target.computed.is_none()).count(), 2);
+}
+
+#[test]
 fn values_inside_of_user_types_comments_and_strings_are_none() {
     let all = variable(
         "s",
