@@ -123,12 +123,13 @@ impl Reader<'_> {
             if !begins {
                 continue;
             }
-            let rest = at + 1..statement.end;
+            let next = (at + 1..statement.end).find(|&at| matches!(text.word(at).as_str(), "THEN" | "ELSE"));
+            let rest = at + 1..next.unwrap_or(statement.end);
             let word = text.word(at);
             match word.as_str() {
                 "TOOL" => self.tool(&rest, offset, line, program),
                 "M_TOOL" if text.is(at + 1, b'=') => {
-                    let tool = numbered(text, &(at + 2..statement.end), "tool");
+                    let tool = numbered(text, &(at + 2..rest.end), "tool");
                     self.selected.tools.push(offset, tool);
                 }
                 "BASE" => self.base(&rest, offset, line, program),
@@ -151,7 +152,7 @@ impl Reader<'_> {
     fn moved(&mut self, word: &str, paths: &[PathKind], rest: &Range<usize>, statement: &Range<usize>) {
         let text = self.text;
         // What is done beside the move, and how joints turn.
-        let end = rest.clone().find(|&at| matches!(text.word(at).as_str(), "WTH" | "WTHIF" | "TYPE" | "ELSE"));
+        let end = rest.clone().find(|&at| matches!(text.word(at).as_str(), "WTH" | "WTHIF" | "TYPE"));
         let operands = text.split(&(rest.start..end.unwrap_or(rest.end)));
         let offset = text.span(statement).start;
         let approach = (paths.len() == 1)
