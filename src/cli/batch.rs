@@ -72,20 +72,22 @@ struct Task<'a> {
 }
 
 /// What became of a task.
-enum Fate {
+pub enum Fate {
     Written(Tally, Vec<String>),
+    /// By an earlier run.
     Finished(Tally, Vec<String>),
     /// Some target is refused: with the first reason.
     Refused(Tally, Vec<String>, String),
     Other,
 }
 
-struct Batch<'a> {
-    shop: &'a Shop,
-    args: &'a BatchArgs,
-    entries: &'a [Entry],
-    records: &'a Records,
-    with_reports: bool,
+/// What all jobs of a run are done with.
+pub struct Batch<'a> {
+    pub shop: &'a Shop,
+    pub entries: &'a [Entry],
+    pub records: &'a Records,
+    pub others: Others,
+    pub with_reports: bool,
 }
 
 impl FromStr for Shard {
@@ -118,7 +120,8 @@ pub fn run(
     let all = tasks(&entries, &items, &plans, out_dir);
     items::check_places(all.iter().flat_map(|task| task.work.files()).map(|file| &items[file]).collect())?;
     let records = Records::below(out_dir);
-    let batch = Batch { shop, args, entries: &entries, records: &records, with_reports: report.is_some() };
+    let batch =
+        Batch { shop, entries: &entries, records: &records, others: args.others, with_reports: report.is_some() };
     let mut report = report.map(ReportFile::create).transpose()?;
 
     let is_ours = |task: &Task<'_>| args.shard.is_none_or(|shard| task.place.shard(shard.count) == shard.index);
@@ -249,7 +252,11 @@ impl Batch<'_> {
         }
     }
 
-    fn job(&self, plan: &Plan, place: &Place, console: &Console) -> Result<Fate, Failure> {
+    /// Corrects a job and writes it, unless that is done already.
+    ///
+    /// # Errors
+    /// [`Failure`] when a file cannot be read or written, or holds errors.
+    pub fn job(&self, plan: &Plan, place: &Place, console: &Console) -> Result<Fate, Failure> {
         let paths =
             |files: &[usize]| -> Vec<PathBuf> { files.iter().map(|file| self.entries[*file].path.clone()).collect() };
         let (own, shared) = (paths(&plan.own), paths(&plan.shared));
@@ -274,8 +281,12 @@ impl Batch<'_> {
         Ok(Fate::Written(tally, reports.unwrap_or_default()))
     }
 
-    fn other(&self, path: &Path, place: &Place, console: &Console) -> Result<Fate, Failure> {
-        let fate = match self.args.others {
+    /// Copies or leaves a file that is no program.
+    ///
+    /// # Errors
+    /// [`Failure::File`]
+    pub fn other(&self, path: &Path, place: &Place, console: &Console) -> Result<Fate, Failure> {
+        let fate = match self.others {
             Others::Skip => "not copied",
             Others::Copy => {
                 self.records.copy(place, path)?;
@@ -287,7 +298,7 @@ impl Batch<'_> {
     }
 
     /// The hash of all that decides about the outputs of a job.
-    fn key(&self, plan: &Plan, own: &[PathBuf]) -> String {
+    pub fn key(&self, plan: &Plan, own: &[PathBuf]) -> String {
         let mut hash = Sha256::new();
         hash.update(self.shop.fingerprint);
         hash.update(plan.dialect.meta().id);

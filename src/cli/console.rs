@@ -49,6 +49,11 @@ impl Console {
         }
     }
 
+    /// What it has held, instead of saying it.
+    pub fn into_text(self) -> String {
+        self.held.map(|held| held.into_inner().unwrap_or_else(PoisonError::into_inner)).unwrap_or_default()
+    }
+
     /// True when a person may be watching: progress is shown only then.
     pub fn is_terminal(&self) -> bool {
         self.terminal

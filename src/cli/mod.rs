@@ -28,6 +28,8 @@ mod simulate;
 mod summary;
 mod tell;
 mod validate;
+mod watch;
+mod writers;
 
 use console::Console;
 
@@ -53,6 +55,7 @@ enum Command {
     Validate(validate::Args),
     Plan(plan::Args),
     Correct(correct::Args),
+    Watch(watch::Args),
     Inspect(inspect::Args),
     Simulate(simulate::Args),
     Robots(robots::Args),
@@ -69,6 +72,7 @@ pub fn main() -> ExitCode {
         Command::Validate(args) => validate::run(args, &console),
         Command::Plan(args) => plan::run(args, &console),
         Command::Correct(args) => correct::run(args, &console),
+        Command::Watch(args) => watch::run(args, &console),
         Command::Inspect(args) => inspect::run(args, &console),
         Command::Simulate(args) => simulate::run(args, &console),
         Command::Robots(args) => robots::run(args),

@@ -68,6 +68,12 @@ impl Records {
         (record.key == key && complete).then_some(record)
     }
 
+    /// True when this very job was finished before, whatever became of its outputs since.
+    pub fn knows(&self, place: &Place, key: &str) -> bool {
+        let record = std::fs::read(self.file(place)).ok().and_then(|text| serde_json::from_slice::<Record>(&text).ok());
+        record.is_some_and(|record| record.key == key)
+    }
+
     /// Writes the outputs of a job, each whole, and then that it is finished.
     ///
     /// # Errors

@@ -33,6 +33,9 @@ const EQUAL: f64 = 0.05;
 /// A cause that takes away more than this part of what is left moves everything else: the rest is looked at again only
 /// when all is refitted. Smaller ones are taken in on the linear problem, several between two fits.
 const LARGE: f64 = 0.1;
+/// No law is exact: what a further cause explains must be more than this part of what is explained already, seven per cent
+/// of its amplitude, not to be the error of the laws that were named.
+const LAW_ERROR: f64 = 0.005;
 /// A constant of a place is changed when the whole fit gains this much by it, on the scale of [`evidence::penalised`].
 const BETTER_CONSTANT: f64 = 2.0;
 
@@ -44,6 +47,8 @@ pub struct Found<'a> {
     pub free: Vec<FreeFunction>,
     /// The blocks of held-out figures.
     pub blocks: Blocks,
+    /// Sum of squares without any cause, m^2.
+    bare_m2: f64,
     /// What speaks for each named cause, and what could stand in its place.
     pub reviews: Vec<Review>,
 }
@@ -63,7 +68,8 @@ pub fn search<'a>(ground: &Ground<'a>, kind: Kind, seed: u64) -> Result<Found<'a
 pub fn search_from<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u64) -> Result<Found<'a>, NoPose> {
     let blocks = Blocks::new(&ground.problem, kind, seed);
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let mut found = Found { fitted: bare, free: Vec::new(), blocks, reviews: Vec::new() };
+    let bare_m2 = bare.estimate.fit.cost * bare.estimate.spread.sigma_m.powi(2);
+    let mut found = Found { fitted: bare, free: Vec::new(), blocks, bare_m2, reviews: Vec::new() };
     let mut exchanges = 0;
     loop {
         while found.fitted.terms.len() + found.free.len() < MOST_CAUSES && found.add_some(ground, &mut random)? {
@@ -133,8 +139,10 @@ impl<'a> Found<'a> {
         random: &mut ChaCha8Rng,
     ) -> Option<(Suspect, f64)> {
         let ranked = rank(all, projection);
-        let sound =
-            |ranked: &&Ranked<'_>| ranked.evidence < 0.0 && ranked.gain.explained > SMALLEST_PART * projection.cost;
+        let named_m2 = self.bare_m2 - projection.cost * self.fitted.estimate.spread.sigma_m.powi(2);
+        let named = named_m2.max(0.0) / self.fitted.estimate.spread.sigma_m.powi(2);
+        let least = (SMALLEST_PART * projection.cost).max(LAW_ERROR * named);
+        let sound = |ranked: &&Ranked<'_>| ranked.evidence < -DECIDES && ranked.gain.explained > least;
         let named = ranked.iter().filter(sound).filter(|ranked| ranked.suspect.candidate().is_some());
         let best_named = named.map(|ranked| ranked.gain.explained).fold(0.0, f64::max);
         let worth: Vec<&Ranked<'_>> = ranked

@@ -71,10 +71,30 @@ pub fn infer_approach(observations: &mut [Observation]) {
     }
 }
 
+/// Time between two records that state none, s: what a tracker and an arm usually take for a pose.
+const USUAL_PAUSE_S: f64 = 10.0;
+
+/// Fills the times of measured records from their order, as if one were taken every ten seconds: what changes slowly or at
+/// once shows in the order too, with a rate that is as uncertain as that guess.
+pub fn infer_time(observations: &mut [Observation]) {
+    for (index, observation) in observations.iter_mut().enumerate().filter(|(_, record)| record.measured.is_some()) {
+        observation.conditions.time_s = Some(USUAL_PAUSE_S * index as f64);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::measure::fixture::observation;
+
+    #[test]
+    fn order_is_time_where_a_recording_states_none() {
+        let mut records = vec![observation([0.0; DOF]), observation([0.1; DOF])];
+        records[0].measured = None;
+        infer_time(&mut records);
+        assert_eq!(records[0].conditions.time_s, None);
+        assert_eq!(records[1].conditions.time_s, records[1].measured.map(|_| USUAL_PAUSE_S));
+    }
 
     #[test]
     fn the_sense_of_approach_is_that_of_the_last_change() {

@@ -11,4 +11,5 @@ mod main_job;
 mod modules;
 mod singular;
 mod talk;
+mod watch;
 mod whole_loop;

@@ -109,7 +109,7 @@ impl Arm {
             match robot.convention {
                 Convention::Standard => bodies[joint + 1] = slide(own.a_m, own.d_m) * about_x(own.alpha_rad),
                 Convention::Modified => {
-                    bodies[joint] = bodies[joint] * (about_x(own.alpha_rad) * slide(own.a_m, 0.0));
+                    bodies[joint] *= about_x(own.alpha_rad) * slide(own.a_m, 0.0);
                     bodies[joint + 1] = slide(0.0, own.d_m) * UnitQuaternion::identity();
                 }
             }

@@ -2,17 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use falsetarget::base::text::Source;
-use falsetarget::diagnose::diagnosis::diagnose;
-use falsetarget::diagnose::updated::updated;
-use falsetarget::files::{recording, robot};
-use falsetarget::identify::predict::predict;
-use falsetarget::measure::observation::Observation;
-use falsetarget::model::arm::ArmModel;
-use falsetarget::report::diagnosis::DiagnosisReport;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::ask::ask;
 use crate::cause::{Cause, Frame};
 use crate::trial::{Concealed, Hardship, Spec, Trial, Truth};
 
@@ -90,11 +83,6 @@ const APART: f64 = 5.0;
 /// Runs the diagnosis on the files of a trial and judges it.
 pub fn judge(spec: &Spec, trial: &Trial) -> Outcome {
     let truth = &trial.truth;
-    let begun = std::time::Instant::now();
-    let robot = robot::read(&Source::new("robot.yaml", trial.robot_text.as_str())).expect("a robot file");
-    let recording = recording::read(&Source::new("recording.csv", trial.recording_text.as_str()), &robot);
-    let recordings = [recording.expect("a recording")];
-    let arm = ArmModel::nominal(robot.clone());
     let mut outcome = Outcome {
         number: spec.number,
         group: spec.group.to_string(),
@@ -113,16 +101,16 @@ pub fn judge(spec: &Spec, trial: &Trial) -> Outcome {
         seconds: 0.0,
         refused: None,
     };
-    let diagnosis = match diagnose(&arm, &recordings, 1) {
-        Ok(diagnosis) => diagnosis,
+    let answer = match ask(trial) {
+        Ok(answer) => answer,
         Err(refusal) => {
-            outcome.refused = Some(refusal.to_string());
+            outcome.refused = Some(refusal);
             outcome.causes = fates(spec, truth, &Value::Null);
             return outcome;
         }
     };
-    outcome.seconds = begun.elapsed().as_secs_f64();
-    let report = serde_json::to_value(DiagnosisReport::new(&diagnosis)).expect("a report");
+    let report = answer.report;
+    outcome.seconds = answer.seconds;
     outcome.causes = fates(spec, truth, &report);
     outcome.found = names(&report["findings"]);
     outcome.wrong = outcome.found.iter().filter(|found| !justified(spec, truth, &report, found)).cloned().collect();
@@ -133,12 +121,8 @@ pub fn judge(spec: &Spec, trial: &Trial) -> Outcome {
     outcome.accused = told.len() - outcome.outliers[0];
     let noise_mm = report["recording"]["noise_sigma_mm"].as_f64().unwrap_or(f64::NAN);
     outcome.noise_ratio = noise_mm / (1e3 * truth.sigma_m);
-    let held = recording::read(&Source::new("poses.csv", trial.poses_text.as_str()), &robot).expect("poses");
-    let records: Vec<&Observation> = held.observations.iter().collect();
-    let model = updated(&diagnosis, &recordings);
-    if let Ok(predicted) = predict(&model.arm, None, &records) {
-        let squares: f64 =
-            predicted.iter().zip(&truth.points_m).map(|(one, point)| (one.position_m - point).norm_squared()).sum();
+    if let Some(predicted) = answer.predicted_m.filter(|predicted| predicted.len() == truth.points_m.len()) {
+        let squares: f64 = predicted.iter().zip(&truth.points_m).map(|(one, point)| (one - point).norm_squared()).sum();
         let missing = truth.concealed.iter().map(|one| (one.level * truth.sigma_m).powi(2)).sum::<f64>() * 3.0;
         if missing > 0.0 {
             outcome.recovered = Some(1.0 - (squares / truth.points_m.len() as f64 / missing).sqrt());

@@ -11,12 +11,13 @@
 //! It can be cut and continued: `FALSETARGET_GROUPS=null,single` (also `several`, `hard`, `together`, `outside`),
 //! `FALSETARGET_SHARD=2/8`, `FALSETARGET_RESULTS=outcomes.jsonl` (what stands there is not tried again; the tables are of
 //! everything in it), `FALSETARGET_SECONDS=200` (begins no trial after that), `FALSETARGET_TABLES=tables.md` (writes the
-//! tables there).
+//! tables there), `FALSETARGET_BIN=falsetarget` (asks a program instead of the library: another version, say).
 
 #![allow(clippy::expect_used, reason = "a test may stop where its own preparation fails")]
 #![allow(clippy::print_stdout, reason = "the long form reports")]
 
 mod arm;
+mod ask;
 mod cause;
 mod dice;
 mod judge;

@@ -51,7 +51,7 @@ pub fn all() -> Vec<Spec> {
         if hardships.contains(&Hardship::FewRecords) {
             hardships.retain(|&hardship| hardship != Hardship::Restricted);
         }
-        let wanted = if index % 2 == 0 { Vec::new() } else { some(1, &mut dice) };
+        let wanted = if index.is_multiple_of(2) { Vec::new() } else { some(1, &mut dice) };
         specs.push(spec("together", false, wanted, hardships));
     }
     for kind in OUTSIDE_KINDS {
@@ -110,6 +110,6 @@ fn at_stake(hardship: Hardship, index: usize, dice: &mut Dice) -> &'static str {
         Hardship::Masses | Hardship::Compliances => &["joint_compliance", "joint_stiffening", "gravity_tilt"],
         _ => &STATIC_KINDS,
     };
-    let kind = if index % 2 == 0 { *dice.pick(kinds) } else { *dice.pick(&STATIC_KINDS) };
+    let kind = if index.is_multiple_of(2) { *dice.pick(kinds) } else { *dice.pick(&STATIC_KINDS) };
     STATIC_KINDS.iter().find(|known| **known == kind).copied().unwrap_or("backlash")
 }

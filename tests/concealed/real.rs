@@ -63,8 +63,8 @@ impl Real {
             self.add_devices(&drives, &mut torques);
             let stand = self.arm.stand(&drives, &shape)?;
             shape = own.clone();
-            for joint in 0..DOF {
-                shape.turns[joint] += self.arm.compliance[joint] * torques[joint];
+            for (turn, (soft, torque)) in shape.turns.iter_mut().zip(self.arm.compliance.iter().zip(&torques)) {
+                *turn += soft * torque;
             }
             for (cause, size) in &self.causes {
                 self.give_way(cause, *size, moment, &torques, &inertia, &stand, &mut shape);

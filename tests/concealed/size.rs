@@ -19,7 +19,7 @@ impl Nuisance {
     /// Six numbers of every body, rods, the measured point, and the drives that the file knows to be soft.
     pub fn of(arm: &Arm, moments: &[Moment]) -> Option<Self> {
         let bare = Real::new(arm, &[]);
-        let mut columns: Vec<Vec<Vector3<f64>>> = vec![Vec::with_capacity(moments.len()); 6 * BODIES + DOF + 2];
+        let mut columns: Vec<Vec<Vector3<f64>>> = vec![Vec::new(); 6 * BODIES + DOF + 2];
         for moment in moments {
             let drives = arm.drives(&moment.numbers);
             let (torques, stand) = bare.loaded(moment)?;

@@ -9,7 +9,9 @@ use crate::plan::LEVELS;
 
 /// All tables.
 pub fn markdown(outcomes: &[Outcome]) -> String {
-    let mut text = String::new();
+    let mut text = String::from(
+        "# Concealed trials\n\nWritten by the long form of `tests/concealed` (see [diagnosis.md](diagnosis.md), section 7); not edited.\n\n",
+    );
     overview(outcomes, &mut text);
     power(outcomes, &mut text);
     confusion(outcomes, &mut text);
@@ -120,7 +122,7 @@ fn confusion(outcomes: &[Outcome], text: &mut String) {
             }
         }
         let mut list: Vec<(String, usize)> = named.into_iter().collect();
-        list.sort_by(|a, b| b.1.cmp(&a.1));
+        list.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
         let list: Vec<String> = list.into_iter().map(|(word, times)| format!("{word} {times}")).collect();
         let words = if moving { format!("{kind} (moving)") } else { kind.to_string() };
         let _ = writeln!(text, "| {words} | {} |", list.join(", "));

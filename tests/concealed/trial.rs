@@ -288,12 +288,12 @@ fn largest(arm: &Arm, moments: &[Moment]) -> Option<[f64; DOF]> {
 
 /// Drives 2 to 5 give way by some tenths of a milliradian under their largest torque.
 fn soften(robot: &mut Robot, largest_nm: &[f64; DOF], dice: &mut Dice) {
-    for joint in 1..5 {
+    for (compliance, largest) in robot.compliance_rad_per_nm.iter_mut().zip(largest_nm).take(5).skip(1) {
         let twist = dice.between(3e-4, 1e-3);
-        let exact = twist / largest_nm[joint].max(1e-3);
+        let exact = twist / largest.max(1e-3);
         // Two digits, as a data sheet has them.
         let digit = 10f64.powf(exact.log10().floor() - 1.0);
-        robot.compliance_rad_per_nm[joint] = (exact / digit).round() * digit;
+        *compliance = (exact / digit).round() * digit;
     }
 }
 

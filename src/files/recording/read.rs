@@ -9,7 +9,7 @@ use crate::base::units::{m_from_mm, rad_from_deg};
 use crate::files::error::FileError;
 use crate::geometry::orientation::OrientationConvention;
 use crate::measure::observation::{Measured, Observation, SetName};
-use crate::measure::recording::{ApproachSource, Kind, Recording, infer_approach};
+use crate::measure::recording::{ApproachSource, Kind, Recording, infer_approach, infer_time};
 use crate::model::conditions::Conditions;
 use crate::model::robot::{DOF, Mass, Robot};
 
@@ -64,6 +64,9 @@ pub fn read(source: &Source, robot: &Robot) -> Result<Recording, FileError> {
     if columns.approach.is_none() {
         approach = ApproachSource::Inferred;
         infer_approach(&mut observations);
+    }
+    if columns.time.is_none() {
+        infer_time(&mut observations);
     }
     let kind = if columns.speed.is_some() { Kind::Continuous } else { Kind::Static };
     let sha256 = Sha256::digest(source.bytes()).iter().map(|byte| format!("{byte:02x}")).collect();

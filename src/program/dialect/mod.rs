@@ -17,6 +17,7 @@ mod inform;
 mod kawasaki;
 mod krl;
 mod melfa;
+mod nachi;
 mod pdl2;
 mod rapid;
 mod script;
@@ -36,6 +37,7 @@ pub const DIALECTS: &[&dyn Dialect] = &[
     &kawasaki::Kawasaki,
     &val3::Val3,
     &spel::Spel,
+    &nachi::Nachi,
     &csv::Csv,
     &gcode::GCode,
     &aptcl::AptCl,

@@ -52,7 +52,7 @@ impl Axis {
             .map(|index| {
                 let number = index as f64 * step;
                 let word =
-                    if step < 1e-4 || step >= 1e6 { format!("{number:.1e}") } else { format!("{number:.digits$}") };
+                    if (1e-4..1e6).contains(&step) { format!("{number:.digits$}") } else { format!("{number:.1e}") };
                 (number, word.replace('-', "\u{2212}"))
             })
             .collect()

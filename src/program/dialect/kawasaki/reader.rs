@@ -57,18 +57,7 @@ pub(super) fn read(sources: &[Source]) -> Program {
     let settings = InForceAt::of(sources, &bodies, &statements, &values, &mut program);
     reader.all(&statements, &settings, &mut program);
     reader.targets.finish(&mut program);
-    travel(&mut program);
     program
-}
-
-/// Additional axes that move: one of them may carry the robot.
-fn travel(program: &mut Program) {
-    let moved = program.targets.iter().find(|target| target.external_axes.iter().any(|axis| axis.value != 0.0));
-    let note = moved.map(|target| {
-        let message = "additional axes move: a robot that one of them carries is taken to stand at that axis' zero";
-        Diagnostic::note("travel-axis", message).at(target.file, target.span, "such as this")
-    });
-    program.diagnostics.extend(note);
 }
 
 struct Reader<'a> {

@@ -1,6 +1,6 @@
 //! Point files: `Point1 { nNumber=0 sLabel="pick" rX=.. }`, one entry a line.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
@@ -29,7 +29,7 @@ pub(super) struct Point {
     pub computed: Option<String>,
     /// Hand, elbow, flags.
     pub configuration: Configuration,
-    /// R, S, T where they are not zero.
+    /// R, S, T, as far as any point of the file uses them.
     pub external_axes: Vec<ExternalAxis>,
     /// The local that it is given in.
     pub local: u32,
@@ -85,6 +85,7 @@ pub(super) fn read(source: &Source, file: usize, points: &mut Points, program: &
             joints = cursor.number().map(|number| number.value);
         }
     }
+    leave_out_unused_axes(file, points);
     let end = Span::new(bytes.len(), bytes.len());
     if open.is_some() {
         let message = "a point is not closed: the file may have been cut off";
@@ -100,6 +101,20 @@ pub(super) fn read(source: &Source, file: usize, points: &mut Points, program: &
         let help = "where RC+ does not open a corrected file, import its points into a file that RC+ wrote";
         program.diagnostics.push(Diagnostic::note("checksum", message).at(file, head, "").help(help));
     }
+}
+
+/// RC+ writes R, S and T with every point; the robot has those that are not zero everywhere.
+fn leave_out_unused_axes(file: usize, points: &mut Points) {
+    let own = |point: &&mut Point| point.file == file;
+    let used: HashSet<String> = points
+        .all
+        .values()
+        .filter(|point| point.file == file)
+        .flat_map(|point| &point.external_axes)
+        .filter(|axis| axis.value != 0.0)
+        .map(|axis| axis.name.clone())
+        .collect();
+    points.all.values_mut().filter(own).for_each(|point| point.external_axes.retain(|axis| used.contains(&axis.name)));
 }
 
 #[derive(Debug, Default)]
@@ -141,10 +156,8 @@ fn add(source: &Source, file: usize, block: Block, points: &mut Points, program:
     if points.all.get(&number).is_some_and(|known| known.file != file) {
         computed = Some("several point files give it: which one is loaded is known only at run time".into());
     }
-    let further = FURTHER.iter().filter_map(|key| {
-        let value = field(key)?.value;
-        (value != 0.0).then(|| ExternalAxis { name: key[1..].to_owned(), value })
-    });
+    let further =
+        FURTHER.iter().filter_map(|key| Some(ExternalAxis { name: key[1..].to_owned(), value: field(key)?.value }));
     let configuration = configuration(&integer);
     let local = integer("nLocal").and_then(|local| u32::try_from(local).ok()).unwrap_or_default();
     if let Some(label) = label {
