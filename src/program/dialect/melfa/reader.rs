@@ -87,7 +87,11 @@ impl Reader<'_> {
     /// branch and before any move to it, has that value; one that it sets otherwise has the saved value for a while.
     fn settle(&mut self, program: &[Range<usize>], list: &[Range<usize>]) {
         let text = self.text;
-        let straight = program.iter().position(|one| joins(text, one)).unwrap_or(program.len());
+        // A routine that is called comes back; a label is passed.
+        let leaves = |one: &Range<usize>| {
+            joins(text, one) && !text.is(one.start, b'*') && !matches!(text.word(one.start).as_str(), "CALLP" | "GOSUB")
+        };
+        let straight = program.iter().position(leaves).unwrap_or(program.len());
         let mut first_named: HashMap<String, usize> = HashMap::new();
         for (index, statement) in program.iter().enumerate() {
             for at in statement.clone().filter(|&at| text.kind(at) == Some(Kind::Name)) {
