@@ -25,8 +25,7 @@ const JUMPS: [&str; 15] = [
 pub(super) fn read(sources: &[Source]) -> Program {
     let mut program = Program::default();
     for (file, source) in sources.iter().enumerate() {
-        let blocks: Vec<Block> = source.lines().map(|line| block(source.bytes(), line)).collect();
-        Reader::new(source, file, &blocks).read(&blocks, &mut program);
+        Reader::new(source, file).read(&mut program);
     }
     program
 }
@@ -56,16 +55,23 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(source: &'a Source, file: usize, blocks: &[Block]) -> Self {
-        let uses = |words: &[&str; 3]| blocks.iter().any(|block| words.iter().any(|word| block.word(word).is_some()));
-        let changes_by_m6 = blocks.iter().any(|block| block.numbers("M").any(|code| code == 6.0));
-        let jumps = blocks.iter().any(|block| block.keywords.iter().any(|word| word.starts_with("GOTO")));
+    /// Looks through the blocks once for what decides how all of them are read; they are not kept, programs are long.
+    fn new(source: &'a Source, file: usize) -> Self {
+        let (mut used, mut changes_by_m6, mut jumps) = ([false; TURNS.len()], false, false);
+        for line in source.lines() {
+            let block = block(source.bytes(), line);
+            for (used, words) in used.iter_mut().zip(&TURNS) {
+                *used |= words.iter().any(|word| block.word(word).is_some());
+            }
+            changes_by_m6 |= block.numbers("M").any(|code| code == 6.0);
+            jumps |= block.keywords.iter().any(|word| word.starts_with("GOTO"));
+        }
         Self {
             source,
             file,
             stated: Stated::default(),
             modal: Modal::default(),
-            turns: TURNS.iter().find(|words| uses(words)).copied(),
+            turns: TURNS.into_iter().zip(used).find(|(_, used)| *used).map(|(words, _)| words),
             tools: Selections::default(),
             frames: Selections::default(),
             joins: Vec::new(),
@@ -77,9 +83,10 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn read(mut self, blocks: &[Block], program: &mut Program) {
+    fn read(mut self, program: &mut Program) {
         let first = program.targets.len();
-        for block in blocks {
+        for line in self.source.lines() {
+            let block = block(self.source.bytes(), line);
             for comment in &block.comments {
                 let stated = self.stated.read(self.source, self.file, *comment, &mut program.diagnostics);
                 if stated {
@@ -88,7 +95,7 @@ impl<'a> Reader<'a> {
                 }
             }
             if !block.words.is_empty() || !block.keywords.is_empty() {
-                self.block(block, program);
+                self.block(&block, program);
             }
         }
         if let Some(target) = program.targets.get(first) {
