@@ -26,7 +26,7 @@ pub fn add(outcome: &mut Outcome<'_>, recordings: &[Recording], seed: u64) -> Re
     }
     let (ground_of_names, kind) = (ground(outcome, &records), Kind::of(recordings));
     let found = search(&ground_of_names, kind, seed)?.fitted;
-    if found.terms.is_empty() || !names_are_worth_having(&ground_of_names, kind, seed)? {
+    if found.terms.is_empty() || !names_are_worth_having(&ground_of_names, &found, seed)? {
         return Ok(Vec::new());
     }
     let fit = &found.estimate.fit;

@@ -227,7 +227,7 @@ impl Candidate {
 }
 
 /// Mean of the paired differences of two sets of distances over its standard error: by how much the first are larger.
-pub fn in_errors(lengths: &[f64], others: &[f64]) -> f64 {
+fn in_errors(lengths: &[f64], others: &[f64]) -> f64 {
     let differences: Vec<f64> = lengths.iter().zip(others).map(|(one, other)| one - other).collect();
     let count = differences.len().max(2) as f64;
     let mean = differences.iter().sum::<f64>() / count;
