@@ -164,11 +164,25 @@ fn read_by_all(bytes: Vec<u8>) -> Result<(), TestCaseError> {
     let source = Source::new("damaged", bytes);
     for dialect in DIALECTS {
         let _ = dialect.recognises(&source);
+        let _ = dialect.ties(&source);
         let program = dialect.read(std::slice::from_ref(&source));
         check_spans(std::slice::from_ref(&source), &program)
             .map_err(|law| TestCaseError::fail(format!("{}: {law}", dialect.meta().id)))?;
     }
     Ok(())
+}
+
+/// Every shipped job of several files.
+fn jobs_of_several_files() -> Vec<(&'static dyn Dialect, Vec<Source>)> {
+    let all = DIALECTS.iter().flat_map(|dialect| jobs(*dialect).into_iter().map(move |sources| (*dialect, sources)));
+    all.filter(|(_, sources)| sources.len() > 1).collect()
+}
+
+#[test]
+fn some_dialects_ship_jobs_of_several_files() {
+    let ids: std::collections::BTreeSet<_> =
+        jobs_of_several_files().iter().map(|(dialect, _)| dialect.meta().id).collect();
+    assert!(ids.contains("krl") && ids.len() > 1, "{ids:?}");
 }
 
 proptest! {
@@ -205,5 +219,24 @@ proptest! {
         let mut bytes = pieces[piece.index(pieces.len())].clone();
         bytes.truncate(end.index(bytes.len()));
         read_by_all(bytes)?;
+    }
+
+    #[test]
+    fn a_damaged_file_harms_no_job(
+        job in any::<prop::sample::Index>(),
+        file in any::<prop::sample::Index>(),
+        start in any::<prop::sample::Index>(),
+        length in prop_oneof![0usize..200, Just(usize::MAX)],
+        filling in proptest::collection::vec(any::<u8>(), 0..8),
+    ) {
+        let jobs = jobs_of_several_files();
+        let (dialect, mut sources) = jobs[job.index(jobs.len())].clone();
+        let file = file.index(sources.len());
+        let mut bytes = sources[file].bytes().to_vec();
+        let start = start.index(bytes.len().max(1)).min(bytes.len());
+        bytes.splice(start..start.saturating_add(length).min(bytes.len()), filling);
+        sources[file] = Source::new(sources[file].name().to_string(), bytes);
+        let program = dialect.read(&sources);
+        check_spans(&sources, &program).map_err(|law| TestCaseError::fail(format!("{}: {law}", dialect.meta().id)))?;
     }
 }

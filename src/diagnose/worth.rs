@@ -43,5 +43,5 @@ pub fn names_are_worth_having(ground: &Ground<'_>, kind: Kind, seed: u64) -> Res
 }
 
 fn after_learning(problem: &Problem<'_>, state: &State, unknowns: &[Unknown], seed: u64) -> Result<State, NoPose> {
-    Ok(learn(problem, state, unknowns, seed, None)?.state.unwrap_or_else(|| state.clone()))
+    Ok(learn(problem, state, unknowns, seed)?.state.unwrap_or_else(|| state.clone()))
 }

@@ -8,7 +8,7 @@ use crate::measure::repeats::{PureError, Repeatability, repeatability};
 use super::calibrate::Outcome;
 use super::estimate::root_mean_square;
 use super::problem::NoPose;
-use super::structure::composition;
+use super::structure::{Composition, composition};
 
 /// What is left, standard deviations per axis, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,12 +49,15 @@ impl ToldBy {
 
 /// Degrees of freedom that repeats need to be asked.
 const ENOUGH_REPEATS: usize = 15;
+/// Noise per axis that a laser tracker has at most, m. Its limit of permissible error is 15 um and 6 um a metre (ISO
+/// 10360-10), 75 um at ten metres; a standard deviation of half of that is plenty, this leaves room for the reflector.
+const MOST_NOISE_M: f64 = 5e-5;
 /// Probability with which white residuals would be called larger than the noise.
 const FALSE_ALARM: f64 = 0.01;
 
 /// Tells noise from the unexplained: by the noise that the recording states; else by its repeated poses (whatever the
 /// way they were approached: what depends on the approach is unexplained as long as no effect explains it, so those of
-/// the same approach are asked first); else by structure in the residuals.
+/// the same approach are asked first); else by structure in the residuals, and by what a tracker can be guilty of.
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
@@ -83,13 +86,14 @@ pub fn left(outcome: &Outcome<'_>) -> Result<Left, NoPose> {
         return Ok(told(pure.sigma_m, pure.freedom as f64, ToldBy::Repeats));
     }
     let composition = composition(delivered)?;
-    Ok(Left {
-        sigma_m,
-        noise_sigma_m: composition.noise_sigma_m,
-        unexplained_sigma_m: composition.unexplained_sigma_m,
-        told_by: ToldBy::Structure,
-        repeatability,
-    })
+    let Composition { mut noise_sigma_m, mut unexplained_sigma_m } = composition;
+    // Where some structure is seen, more of it may hide in what looks like noise. What is more than a tracker's is the
+    // arm's. Where none is seen the tracker may be a worse one.
+    if unexplained_sigma_m > 0.0 && noise_sigma_m > MOST_NOISE_M {
+        noise_sigma_m = MOST_NOISE_M;
+        unexplained_sigma_m = (sigma_m.powi(2) - noise_sigma_m.powi(2)).max(unexplained_sigma_m.powi(2)).sqrt();
+    }
+    Ok(Left { sigma_m, noise_sigma_m, unexplained_sigma_m, told_by: ToldBy::Structure, repeatability })
 }
 
 /// F test of a ratio of variances: the lack of fit against pure error.

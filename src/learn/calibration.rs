@@ -9,7 +9,7 @@ use crate::identify::problem::{NoPose, Problem};
 use crate::identify::state::State;
 use crate::model::learner::Learner;
 
-use super::choose::{Learned, learn};
+use super::choose::{Learned, learn, learn_again};
 use super::paper::train;
 use super::samples::Samples;
 
@@ -25,13 +25,12 @@ pub fn add(outcome: &mut Outcome<'_>, seed: u64) -> Result<Learned, NoPose> {
     let records = outcome.to_learn_from();
     let identified = outcome.last_state().clone();
     let problem = outcome.problem.subset(&records);
-    let mut learned = learn(&problem, &identified, &unknowns, seed, None)?;
+    let mut learned = learn(&problem, &identified, &unknowns, seed)?;
     let Some(state) = learned.state.clone() else { return Ok(learned) };
     outcome.stages.push(StageState { name: STAGE, free: unknowns.len(), trained: true, state });
     if outcome.fitted != records {
         let problem = outcome.problem.subset(&outcome.fitted);
-        let again = learn(&problem, &outcome.delivered.fit.state, &unknowns, seed, Some(learned.chosen))?;
-        learned = Learned { candidates: learned.candidates, chosen: learned.chosen, ..again };
+        learned = learn_again(&problem, &outcome.delivered.fit.state, &unknowns, learned)?;
     }
     deliver(outcome, &learned)?;
     Ok(learned)
@@ -82,8 +81,12 @@ fn deliver(outcome: &mut Outcome<'_>, learned: &Learned) -> Result<(), NoPose> {
     Ok(())
 }
 
-/// Scales the uncertainty of the curves so that, over the records, it adds up to that of the whole regression. The
-/// curves' own uncertainties are marginal; two that turn parallel axes share an error and undo it.
+/// Scales the uncertainty of the curves so that, over the records, it adds up to what the learner errs by. The curves' own
+/// uncertainties are marginal (two that turn parallel axes share an error and undo it), and they are those of a learner
+/// that has all the functions that there are.
+///
+/// The regression's own variance, which believes that, is the least; what held-out regions are missed by, whose records
+/// have less company than a fresh pose would, is the most. The mean of the two is taken.
 fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, learned: &Learned) -> Result<(), NoPose> {
     let samples = Samples::new(problem, state, &[])?;
     let Some(Learner::Curves(curves)) = &mut state.model.learner else { return Ok(()) };
@@ -100,7 +103,8 @@ fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, learned: &Lea
     }
     claimed_m2 /= samples.count().max(1) as f64;
     if claimed_m2 > 0.0 {
-        let factor = (learned.error_m2 / claimed_m2).sqrt();
+        let error_m2 = learned.error_m2 * 0.5 * (1.0 + learned.held_out_ratio);
+        let factor = (error_m2 / claimed_m2).sqrt();
         for sigma in curves.curves.iter_mut().flat_map(|curve| &mut curve.sigma_rad) {
             *sigma = (*sigma * factor * 1e11).round() / 1e11;
         }

@@ -13,11 +13,12 @@ use super::samples::Samples;
 use super::term::{Family, terms};
 
 /// Parts into which the records are dealt.
-const FOLDS: usize = 5;
-/// Waves a joint revolution of the finest function. Public data of real arms show energy up to 30.
-const FINEST: f64 = 40.0;
+const FOLDS: usize = 10;
 /// Records below which nothing is learned: each fold must still show every joint in most of its range.
 const FEWEST: usize = 60;
+
+/// Records that are asked how uncertain a learner is; with more, some of them.
+const MOST_ASKED: usize = 500;
 
 /// A learner that was tried.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -46,6 +47,8 @@ pub struct Learned {
     pub candidates: Vec<Candidate>,
     /// Index of the one that is used; zero is `none`.
     pub chosen: usize,
+    /// Its family.
+    pub family: Option<Family>,
     /// The state with geometry moved and the learner on; `None` when none is used.
     pub state: Option<State>,
     /// Factor on the records' sigmas that gives the noise which the learner leaves.
@@ -53,13 +56,17 @@ pub struct Learned {
     /// Degrees of freedom behind that.
     pub freedom: f64,
     /// Mean square of the error that the learner itself is expected to make in a pose like the records', beside that of
-    /// the geometry, m^2.
+    /// the geometry, m^2: its variance, were it all that there is.
     pub error_m2: f64,
+    /// What held-out records say of that: their mean square error over it. One where none were held out.
+    pub held_out_ratio: f64,
 }
 
 fn name(family: Family) -> &'static str {
     match family {
         Family::Own => "own_angle",
+        Family::Fine => "own_angle_fine",
+        Family::Lines => "own_angle_lines",
         Family::Loaded => "own_angle_load_approach",
         Family::Crossed => "all_joints",
     }
@@ -71,68 +78,133 @@ fn name(family: Family) -> &'static str {
 /// # Arguments
 /// * `state` - as identified, without a learner
 /// * `unknowns` - what was free there
-/// * `family` - the only one to try, where it was chosen before
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
-pub fn learn(
-    problem: &Problem<'_>,
-    state: &State,
-    unknowns: &[Unknown],
-    seed: u64,
-    only: Option<usize>,
-) -> Result<Learned, NoPose> {
+pub fn learn(problem: &Problem<'_>, state: &State, unknowns: &[Unknown], seed: u64) -> Result<Learned, NoPose> {
     let samples = Samples::new(problem, state, unknowns)?;
     let fold_of = folds(&samples.observations, FOLDS, seed);
     let sigmas_m: Vec<f64> = problem.records.iter().map(|record| record.sigma_m).collect();
-    let families: Vec<Option<Family>> = std::iter::once(None).chain(Family::ALL.into_iter().map(Some)).collect();
     let enough = samples.count() >= FEWEST;
-    let mut tried: Vec<(Candidate, Regression, Fitted)> = Vec::new();
-    for (index, &family) in families.iter().enumerate() {
-        let wanted = only.is_none_or(|only| only == index) || index == 0;
-        if !wanted || (family.is_some() && !enough) {
+    let mut tried: Vec<(Option<Family>, Candidate, Regression<'_>, Fitted)> = Vec::new();
+    for family in std::iter::once(None).chain(Family::ALL.into_iter().map(Some)) {
+        let terms = family.filter(|_| enough).map_or_else(Vec::new, |family| terms(&samples, family));
+        if family.is_some() && terms.is_empty() {
             continue;
         }
-        let terms = family.map_or_else(Vec::new, |family| terms(&samples, family, FINEST));
         let regression = Regression::new(&samples, state, unknowns, terms, &fold_of);
         let Some(fitted) = regression.fit() else { continue };
-        let Some(left) = regression.held_out(&fitted.variances) else { continue };
+        let Some(left) = regression.held_out(&fitted) else { continue };
         let candidate = Candidate::new(family.map_or("none", name), &regression, &fitted, &left, &sigmas_m);
-        tried.push((candidate, regression, fitted));
+        tried.push((family, candidate, regression, fitted));
     }
-    let lengths: Vec<&[f64]> = tried.iter().map(|(candidate, ..)| candidate.lengths_m.as_slice()).collect();
-    let chosen = if only.is_some() { tried.len().saturating_sub(1) } else { simplest_of_the_best(&lengths) };
-    let mut learned = Learned {
-        candidates: tried.iter().map(|(candidate, ..)| candidate.clone()).collect(),
-        chosen,
-        state: None,
-        noise_scale: 1.0,
-        freedom: samples.missing.len() as f64,
-        error_m2: 0.0,
+    let lengths: Vec<&[f64]> = tried.iter().map(|(_, candidate, ..)| candidate.lengths_m.as_slice()).collect();
+    let chosen = simplest_of_the_best(&lengths);
+    let candidates: Vec<Candidate> = tried.iter().map(|(_, candidate, ..)| candidate.clone()).collect();
+    let mut learned = match tried.get(chosen) {
+        Some((Some(family), candidate, regression, fitted)) => {
+            let mut learned = taken(*family, regression, fitted, (state, unknowns), &sigmas_m);
+            let rows = samples.missing.len().max(1) as f64;
+            let noise_m2 = 3.0 * fitted.variances.noise * mean(sigmas_m.iter().map(|sigma| sigma * sigma));
+            let expected_m2 = noise_m2 + learned.error_m2 / share_of_terms(regression, fitted);
+            // A mean square scatters by this part of itself; only what is beyond two of that is more than expected.
+            let beyond_chance_m2 = expected_m2 * (1.0 + 2.0 * (2.0 / rows).sqrt());
+            let missed_m2 = mean(candidate.lengths_m.iter().map(|length| length * length));
+            if learned.error_m2 > 0.0 {
+                learned.held_out_ratio = 1.0 + (missed_m2 - beyond_chance_m2).max(0.0) / learned.error_m2;
+            }
+            learned
+        }
+        _ => Learned::nothing(&samples),
     };
-    if let Some((_, regression, fitted)) = tried.get(chosen).filter(|_| chosen > 0) {
-        let mut moved = state.clone();
-        regression.move_geometry(fitted, unknowns, &mut moved);
-        moved.model.learner = regression.curves(fitted).map(Into::into);
-        learned.noise_scale = fitted.variances.noise.sqrt();
-        learned.freedom -= fitted.posterior.determined;
-        // Geometry has its own share in this, about one noise variance for each of its numbers.
-        let learnt = 1.0 - (regression.geometry as f64 / fitted.posterior.determined).min(1.0);
-        let variance = regression.predicted_variance(fitted);
-        let squares = sigmas_m.iter().enumerate().map(|(record, sigma_m)| {
-            let rows = samples.rows_of(record);
-            variance.rows(rows.start, rows.len().min(3)).sum() * sigma_m * sigma_m
-        });
-        learned.error_m2 = learnt * squares.sum::<f64>() / samples.count() as f64;
-        learned.state = Some(moved);
-    }
+    (learned.candidates, learned.chosen) = (candidates, chosen);
     Ok(learned)
+}
+
+/// Learns what was chosen before, from other records.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn learn_again(
+    problem: &Problem<'_>,
+    state: &State,
+    unknowns: &[Unknown],
+    before: Learned,
+) -> Result<Learned, NoPose> {
+    let samples = Samples::new(problem, state, unknowns)?;
+    let Some(family) = before.family else { return Ok(before) };
+    let sigmas_m: Vec<f64> = problem.records.iter().map(|record| record.sigma_m).collect();
+    // Nothing is held out: the parts are there to be summed up side by side.
+    let parts: Vec<usize> = (0..samples.count()).map(|record| record % FOLDS).collect();
+    let regression = Regression::new(&samples, state, unknowns, terms(&samples, family), &parts);
+    let mut learned = match regression.fit() {
+        Some(fitted) => taken(family, &regression, &fitted, (state, unknowns), &sigmas_m),
+        None => Learned::nothing(&samples),
+    };
+    (learned.candidates, learned.chosen) = (before.candidates, before.chosen);
+    learned.held_out_ratio = before.held_out_ratio;
+    Ok(learned)
+}
+
+impl Learned {
+    fn nothing(samples: &Samples<'_>) -> Self {
+        Self {
+            candidates: Vec::new(),
+            chosen: 0,
+            family: None,
+            state: None,
+            noise_scale: 1.0,
+            freedom: samples.missing.len() as f64,
+            error_m2: 0.0,
+            held_out_ratio: 1.0,
+        }
+    }
+}
+
+/// A regression as what was learned.
+fn taken(
+    family: Family,
+    regression: &Regression<'_>,
+    fitted: &Fitted,
+    (state, unknowns): (&State, &[Unknown]),
+    sigmas_m: &[f64],
+) -> Learned {
+    let samples = regression.samples;
+    let mut learned = Learned::nothing(samples);
+    let mut moved = state.clone();
+    regression.move_geometry(fitted, unknowns, &mut moved);
+    moved.model.learner = regression.curves(fitted).map(Into::into);
+    learned.family = Some(family);
+    learned.noise_scale = fitted.variances.noise.sqrt();
+    learned.freedom -= fitted.posterior.determined;
+    let asked: Vec<usize> = (0..samples.count()).step_by(samples.count().div_ceil(MOST_ASKED).max(1)).collect();
+    let variance = regression.predicted_variance(fitted, &asked);
+    let mut first = 0;
+    let squares = asked.iter().map(|&record| {
+        let count = samples.rows_of(record).len();
+        let position = variance[first..first + count.min(3)].iter().sum::<f64>();
+        first += count;
+        position * sigmas_m[record] * sigmas_m[record]
+    });
+    learned.error_m2 = share_of_terms(regression, fitted) * mean(squares);
+    learned.state = Some(moved);
+    learned
+}
+
+/// Share of a regression's own error that is not geometry's, which has about one noise variance for each of its numbers.
+fn share_of_terms(regression: &Regression<'_>, fitted: &Fitted) -> f64 {
+    (1.0 - regression.geometry as f64 / fitted.posterior.determined).max(0.05)
+}
+
+fn mean(numbers: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = numbers.fold((0.0, 0usize), |(sum, count), number| (sum + number, count + 1));
+    sum / count.max(1) as f64
 }
 
 impl Candidate {
     fn new(
         name: &'static str,
-        regression: &Regression,
+        regression: &Regression<'_>,
         fitted: &Fitted,
         left: &[DVector<f64>],
         sigmas_m: &[f64],

@@ -34,12 +34,12 @@ impl Moments {
         Self { gram: DMatrix::zeros(columns, columns), right: DVector::zeros(columns), square: 0.0, rows: 0.0 }
     }
 
-    /// Adds `share` (1 or -1) times other rows.
-    pub fn add(&mut self, other: &Moments, share: f64) {
-        self.gram += &other.gram * share;
-        self.right += &other.right * share;
-        self.square += other.square * share;
-        self.rows += other.rows * share;
+    /// Adds other rows.
+    pub fn add(&mut self, other: &Moments) {
+        self.gram += &other.gram;
+        self.right += &other.right;
+        self.square += other.square;
+        self.rows += other.rows;
     }
 }
 
@@ -88,14 +88,21 @@ const SETTLED: f64 = 1e-3;
 ///
 /// The evidence and its gradient come from one Cholesky factor of `I + S G S / noise`, `S` the prior standard
 /// deviations; the maximum is found with L-BFGS in the logarithms.
-pub fn maximise(moments: &Moments, groups: &Groups, start: &Variances, steps: u64) -> Variances {
-    let origin: Vec<f64> = start.groups.iter().chain([&start.noise]).map(|variance| variance.ln()).collect();
-    let problem = Evidence { moments, groups, origin: &origin, last: RefCell::new(None) };
-    let solver = LBFGS::new(MoreThuenteLineSearch::new(), 12).with_tolerance_cost(SETTLED);
-    let Ok(solver) = solver.and_then(|solver| solver.with_tolerance_grad(1e-2)) else { return start.clone() };
-    let run = Executor::new(problem, solver)
-        .configure(|state| state.param(DVector::from_vec(origin.clone())).max_iters(steps))
-        .run();
+///
+/// # Arguments
+/// * `origin` - where the prior of each variance lies
+/// * `start` - where the search starts, for at most `steps` steps
+pub fn maximise(moments: &Moments, groups: &Groups, origin: &Variances, start: &Variances, steps: u64) -> Variances {
+    let logarithms = |of: &Variances| -> Vec<f64> { of.groups.iter().chain([&of.noise]).map(|one| one.ln()).collect() };
+    let (origin, first) = (logarithms(origin), DVector::from_vec(logarithms(start)));
+    let mut problem = Evidence { moments, groups, origin: &origin, scale: 1.0, last: RefCell::new(None) };
+    // The first step goes down the gradient as it is: scaled, it is one e-fold long.
+    problem.scale = 1.0 / problem.at(&first).1.norm().max(1.0);
+    *problem.last.borrow_mut() = None;
+    let settled = SETTLED * problem.scale;
+    let solver = LBFGS::new(MoreThuenteLineSearch::new(), 12).with_tolerance_cost(settled);
+    let Ok(solver) = solver.and_then(|solver| solver.with_tolerance_grad(settled)) else { return start.clone() };
+    let run = Executor::new(problem, solver).configure(|state| state.param(first).max_iters(steps)).run();
     // A line search that finds no better point ends the run with an error and the start stands.
     match run.ok().and_then(|result| result.state().get_best_param().cloned()) {
         Some(best) => variances(best.as_slice()),
@@ -161,6 +168,8 @@ struct Evidence<'a> {
     moments: &'a Moments,
     groups: &'a Groups,
     origin: &'a [f64],
+    /// Factor on the value.
+    scale: f64,
     /// The last point with its value and gradient: the solver asks for the two one after the other.
     last: RefCell<Option<Evaluated>>,
 }
@@ -174,6 +183,7 @@ impl Evidence<'_> {
         }
         let (value, gradient) = self
             .evaluate(point)
+            .map(|(value, gradient)| (value * self.scale, gradient * self.scale))
             // A point out of all range: worse than any, and the line search turns back.
             .unwrap_or_else(|| (f64::MAX.sqrt(), DVector::zeros(point.len())));
         *self.last.borrow_mut() = Some((point.clone(), value, gradient.clone()));
@@ -274,7 +284,8 @@ mod tests {
         let (a, y, groups) = sample(60);
         let moments = Moments::of(&a, &y);
         let origin = [0.0, -1.0, -2.0];
-        let evidence = Evidence { moments: &moments, groups: &groups, origin: &origin, last: RefCell::new(None) };
+        let evidence =
+            Evidence { moments: &moments, groups: &groups, origin: &origin, scale: 1.0, last: RefCell::new(None) };
         let point = DVector::from_vec(vec![-1.5, -2.5, -0.5]);
         let (_, gradient) = evidence.evaluate(&point).expect("finite");
         for index in 0..3 {
@@ -296,7 +307,7 @@ mod tests {
     fn variances_that_were_put_in_come_out() {
         let (a, y, groups) = sample(400);
         let start = Variances { groups: vec![0.3, 0.3], noise: 1.0 };
-        let found = maximise(&Moments::of(&a, &y), &groups, &start, 60);
+        let found = maximise(&Moments::of(&a, &y), &groups, &start, &start, 60);
         assert!((found.noise / 0.25 - 1.0).abs() < 0.2, "{found:?}");
         assert!((found.groups[0] / 0.04).ln().abs() < 0.9, "{found:?}");
         assert!(found.groups[1] < 2e-3, "{found:?}");

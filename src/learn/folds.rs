@@ -3,12 +3,15 @@
 use crate::identify::split::regions;
 use crate::measure::observation::Observation;
 
-/// Records in a region, about.
-const REGION_SIZE: usize = 12;
+/// Records in a region, about: enough that a record's neighbours are held out with it, few enough that no joint loses a
+/// part of its range with them.
+const REGION_SIZE: usize = 6;
+/// Regions at most.
+const MOST_REGIONS: usize = 120;
 
 /// The fold of each record: regions of joint space, dealt out to `count` folds of about equal size. Deterministic.
 pub fn folds(observations: &[&Observation], count: usize, seed: u64) -> Vec<usize> {
-    let wanted = (observations.len() / REGION_SIZE).clamp(count, 60);
+    let wanted = (observations.len() / REGION_SIZE).clamp(count, MOST_REGIONS);
     let region_of = regions(observations, wanted, seed);
     let found = region_of.iter().max().map_or(0, |largest| largest + 1);
     let mut sizes: Vec<(usize, usize)> =

@@ -10,6 +10,7 @@ pub mod additive;
 pub mod calibration;
 pub mod cholesky;
 pub mod choose;
+pub mod drawing;
 pub mod evidence;
 pub mod folds;
 pub mod paper;

@@ -20,7 +20,7 @@ pub struct Gathered {
 impl Gathered {
     /// Adds a move to a position that the job holds once, under a number of the reader's own. The target is made when the
     /// first move goes there.
-    pub fn to_key(&mut self, key: usize, one: Use, make: impl FnOnce() -> Target) -> &mut Target {
+    pub fn add_use(&mut self, key: usize, one: Use, make: impl FnOnce() -> Target) -> &mut Target {
         let made = &mut self.made;
         let slot = *self.by_key.entry(key).or_insert_with(|| {
             made.push(make());

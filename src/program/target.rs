@@ -3,7 +3,7 @@
 //!
 //! Everything here is what the text says, in the file's own units and frames; nothing is decided yet.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -35,6 +35,9 @@ pub struct Program {
     pub read_only: BTreeSet<usize>,
     /// The declarations of named targets that may be copied under another name, by index of the target.
     pub declarations: BTreeMap<usize, Declaration>,
+    /// Where moves name a target in whose place its written value may stand, by index of the target: file of the job
+    /// and the name there.
+    pub replaceable: BTreeMap<usize, Vec<Mention>>,
     /// What the reader has to say: broken lines, suspicious units, a missing end.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -50,6 +53,9 @@ pub struct Declaration {
     /// Where moves name the target, directly or to displace it: file of the job and the name there.
     pub mentions: Vec<(usize, Span)>,
 }
+
+/// A place where a move names something: file of the job and the name there.
+pub type Mention = (usize, Span);
 
 /// A definition in the program: its value, or why the value is not in the text.
 #[derive(Clone, Debug)]
@@ -279,6 +285,21 @@ impl Program {
     /// Names are compared without regard to case: the spelling under which definitions are filed.
     pub fn key(name: &str) -> String {
         name.to_lowercase()
+    }
+
+    /// Files mentions of targets under [`Program::replaceable`]: file and place of the target, then the mention. The
+    /// targets must stand in their last order.
+    pub fn note_replaceable(&mut self, mentions: &[((usize, Span), Mention)]) {
+        if mentions.is_empty() {
+            return;
+        }
+        let place = |(index, target): (usize, &Target)| ((target.file, target.span), index);
+        let by_place: HashMap<(usize, Span), usize> = self.targets.iter().enumerate().map(place).collect();
+        for (target, mention) in mentions {
+            if let Some(index) = by_place.get(target) {
+                self.replaceable.entry(*index).or_default().push(*mention);
+            }
+        }
     }
 
     /// True for a target of the job's own files, or one in a file that it only reads to which its own moves go: what

@@ -1,14 +1,16 @@
 //! Targets that are used with several tools, frames or loads: no single value lands for all, so that each setting gets
 //! a declaration of its own.
 //!
-//! A copy of the declaration is put behind it under a new name, and the moves of the other settings name the copy. The
-//! program that comes out goes to the same places as before; it is then corrected like any other.
+//! A copy of the declaration is put behind it under a new name, and the moves of the other settings name the copy. An
+//! element of an array, or a numbered constant that all jobs of a controller share, has no name to spare: there the
+//! moves of the other settings get the written value itself. The program that comes out goes to the same places as
+//! before; it is then corrected like any other.
 
 use std::collections::{BTreeMap, HashSet};
 
 use crate::base::edit::EditSet;
 use crate::base::text::{Source, Span};
-use crate::program::target::{Declaration, Program, Reference, TargetValue, Use};
+use crate::program::target::{Declaration, Mention, Program, Reference, TargetValue, Use};
 
 use super::outcome::Outcome;
 
@@ -28,6 +30,8 @@ pub fn split(sources: &[Source], program: &Program, outcome: &Outcome) -> Vec<Ed
     for (index, _) in shared {
         if let Some(declaration) = program.declarations.get(&index) {
             split_target(sources, program, index, declaration, &mut taken, &mut edits);
+        } else if let Some(mentions) = program.replaceable.get(&index) {
+            replace_names(sources, program, index, mentions, &mut edits);
         }
     }
     edits
@@ -63,9 +67,7 @@ fn split_target(
         if *name == own {
             continue;
         }
-        let from = mentions.partition_point(|mention| *mention < (one.file, one.span));
-        let inside = mentions[from..].iter().take_while(|(file, at)| *file == one.file && one.span.contains(*at));
-        inside.for_each(|(_, place)| edits[one.file].push(*place, name.as_bytes()));
+        mentions_in(&mentions, one).for_each(|place| edits[one.file].push(place, name.as_bytes()));
     }
     let end = line_end_behind(source, declaration.statement.end);
     let (line_end, indent) = (newline(source), indentation(source, declaration.statement.start));
@@ -78,6 +80,30 @@ fn split_target(
         insertion.extend_from_slice(source.slice(Span::new(declaration.name.end, declaration.statement.end)));
     }
     edits[target.file].push(Span::new(end, end), insertion);
+}
+
+/// Where a language takes a written value in the place of a name, the moves of all settings but the first get it.
+fn replace_names(sources: &[Source], program: &Program, index: usize, mentions: &[Mention], edits: &mut [EditSet]) {
+    let target = &program.targets[index];
+    let value = sources[target.file].slice(target.span);
+    // What is written by a function (`Pose(..)`) cannot be told to stand everywhere.
+    if !matches!(value.first(), Some(b'(' | b'[')) {
+        return;
+    }
+    let mut mentions = mentions.to_vec();
+    mentions.sort();
+    let all = moves(program, index);
+    let Some(first) = all.first().map(|one| Setting::of(one)) else { return };
+    for one in all.into_iter().filter(|one| Setting::of(one) != first) {
+        mentions_in(&mentions, one).for_each(|place| edits[one.file].push(place, value));
+    }
+}
+
+/// The places in a move at which sorted mentions stand.
+fn mentions_in<'a>(mentions: &'a [Mention], one: &'a Use) -> impl Iterator<Item = Span> + 'a {
+    let from = mentions.partition_point(|mention| *mention < (one.file, one.span));
+    let inside = mentions[from..].iter().take_while(|(file, at)| *file == one.file && one.span.contains(*at));
+    inside.map(|(_, place)| *place)
 }
 
 /// The moves to a target and to those displaced from it, in the order of the text.

@@ -234,3 +234,42 @@ fn shared_targets_are_split_when_asked_for() {
     let perfect = bench.run(&["correct", "--split-shared", "--model", "robot.yaml", "job.mod"]);
     assert_eq!(perfect.stdout, text.as_bytes());
 }
+
+#[test]
+fn what_has_no_name_to_spare_is_split_by_its_value() {
+    let bench = Bench::new();
+    bench.write(
+        "cell.yaml",
+        "schema: falsetarget/cell/1\ntools:\n  \"1\": {xyz_mm: [0, 0, 200]}\n  \"2\": {xyz_mm: [80, 0, 260]}\n",
+    );
+    let array = "MODULE A\n  PERS tooldata t1:=[TRUE,[[0,0,200],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n  \
+                 PERS tooldata t2:=[TRUE,[[80,0,260],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\n  \
+                 CONST robtarget p{2}:=[VALUE,VALUE];\n  PROC main()\n    MoveL p{1},v1,z1,t1;\n    \
+                 MoveL p{2},v1,z1,t1;\n    MoveL p{2},v1,z1,t2;\n    MoveL p{2},v1,z1,t1;\n  ENDPROC\nENDMODULE\n"
+        .replace("VALUE", REACHED);
+    bench.write("array.mod", &array);
+    let pose = "(1500.000,100.000,1200.000,180.000,0.000,0.000,&H0000)";
+    let job = format!(
+        "Program File Format Version : 1.6  MechType: 0(X)  TotalAxis: 6  AuxAxis: 0\n     P1={pose}\n\
+         S1   MOVE L,P1,S=60%,A=0,T=1\nS2   MOVE L,P1,S=60%,A=0,T=2\n     END\n"
+    );
+    bench.write("0001.JOB", &job);
+    for (name, by_value) in [
+        ("array.mod", array.replace("p{2},v1,z1,t2", &format!("{REACHED},v1,z1,t2"))),
+        ("0001.JOB", job.replace("P1,S=60%,A=0,T=2", &format!("{pose},S=60%,A=0,T=2"))),
+    ] {
+        let run = |model, more: &[&str]| {
+            bench.run(&[&["correct", "--model", model, "--cell", "cell.yaml", name][..], more].concat())
+        };
+        let refused = run("model.yaml", &[]);
+        assert_eq!(refused.status, Some(1), "{}", refused.stderr);
+        let split = run("model.yaml", &["--split-shared", "-o", &format!("out-{name}")]);
+        assert_eq!(split.status, Some(0), "{}", split.stderr);
+        // The same program, written out by hand, needs no splitting.
+        bench.write(name, &by_value);
+        let by_hand = run("model.yaml", &[]);
+        assert_eq!(by_hand.status, Some(0), "{}", by_hand.stderr);
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+        assert_eq!(text(bench.read(&format!("out-{name}"))), text(by_hand.stdout));
+    }
+}

@@ -3,6 +3,7 @@
 
 #![allow(clippy::expect_used, clippy::unwrap_used, reason = "a test may stop where its own preparation fails")]
 
+mod accuracy;
 mod coverage;
 mod faults;
 mod recordings;

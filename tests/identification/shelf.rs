@@ -6,6 +6,7 @@ use falsetarget::files::{recording, robot};
 use falsetarget::identify::calibrate::{Options, Refusal, calibrate};
 use falsetarget::identify::report::Report;
 use falsetarget::identify::summary::summarise;
+use falsetarget::learn::calibration::{add, add_paper_network};
 use falsetarget::measure::recording::Recording;
 use falsetarget::model::arm::ArmModel;
 use falsetarget::model::robot::Robot;
@@ -27,4 +28,20 @@ pub fn recording_of(folder: &str, file: &str) -> Recording {
 pub fn calibrated(robot: &Robot, recordings: &[Recording]) -> Result<(Calibration, Report), Refusal> {
     let outcome = calibrate(&ArmModel::nominal(robot.clone()), recordings, &Options::default(), &mut |_| {})?;
     Ok(summarise(&outcome, recordings)?)
+}
+
+/// Calibrates with default options and learns what the physics leaves.
+pub fn learned(robot: &Robot, recordings: &[Recording]) -> (Calibration, Report) {
+    let start = ArmModel::nominal(robot.clone());
+    let mut outcome = calibrate(&start, recordings, &Options::default(), &mut |_| {}).expect("a model");
+    add(&mut outcome, 1).expect("placeable");
+    summarise(&outcome, recordings).expect("placeable")
+}
+
+/// The pipeline of the paper.
+pub fn by_the_paper(robot: &Robot, recordings: &[Recording]) -> (Calibration, Report) {
+    let options = Options { refit_with_training: false, ..Options::default() };
+    let mut outcome = calibrate(&ArmModel::nominal(robot.clone()), recordings, &options, &mut |_| {}).expect("a model");
+    add_paper_network(&mut outcome, 1).expect("placeable");
+    summarise(&outcome, recordings).expect("placeable")
 }

@@ -49,13 +49,18 @@ impl Reader<'_> {
     /// Notes what a statement gives a variable.
     fn assign(&mut self, statement: &Range<usize>) {
         let text = self.text;
-        let first = text.word(statement.start);
-        if matches!(first.as_str(), "DEFPOS" | "DEFJNT") {
-            for part in text.split(&(statement.start + 1..statement.end)) {
-                self.assign(&part);
+        match text.word(statement.start).as_str() {
+            "DEFPOS" | "DEFJNT" => {
+                let declared = text.split(&(statement.start + 1..statement.end));
+                declared.iter().for_each(|part| self.assign_one(part));
             }
-            return;
+            _ => self.assign_one(statement),
         }
+    }
+
+    fn assign_one(&mut self, statement: &Range<usize>) {
+        let text = self.text;
+        let first = text.word(statement.start);
         let start = statement.start + usize::from(first == "LET" || PART_SETTERS.contains(&first.as_str()));
         let Some(equals) = (start..statement.end).find(|&at| text.is(at, b'=')) else { return };
         let Some((key, joints)) = self.names.variable(text, &(start..equals)) else { return };
@@ -78,7 +83,7 @@ impl Reader<'_> {
         // One-line branches hold statements of their own.
         let begins = |at: usize| at == statement.start || matches!(text.word(at - 1).as_str(), "THEN" | "ELSE");
         for at in statement.clone().filter(|&at| begins(at)) {
-            let other = (at + 1..statement.end).find(|&at| matches!(text.word(at).as_str(), "ELSE" | "ENDIF"));
+            let other = (at + 1..statement.end).find(|&at| matches!(text.word(at).as_str(), "THEN" | "ELSE" | "ENDIF"));
             let end = other.unwrap_or(statement.end);
             let (inner, rest) = (at..end, at + 1..end);
             match text.word(at).as_str() {

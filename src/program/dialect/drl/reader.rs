@@ -68,7 +68,7 @@ fn selected(text: Text<'_>, tokens: &Tokens) -> Selected {
             selected.joins.push(offset);
             depth = indent;
         }
-        for at in statement.clone().filter(|&at| text.is(at + 1, b'(')) {
+        for at in text.calls(statement) {
             let word = text.word(at);
             let first = || text.parts(at + 1, statement.end).and_then(|(parts, _)| parts.first().cloned());
             match word.as_str() {
@@ -120,7 +120,7 @@ impl Reader<'_> {
         if self.text.word(statement.start) == "DEF" {
             return;
         }
-        for at in statement.clone() {
+        for at in self.text.calls(statement) {
             let method = at > statement.start && self.text.is(at - 1, b'.');
             if !method && let Some(motion) = motion(self.text, at, statement.end) {
                 self.moved(index, statement, &motion);

@@ -19,6 +19,7 @@
 
 mod block;
 mod modal;
+mod numbers;
 mod reader;
 mod recognise;
 

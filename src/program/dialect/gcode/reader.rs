@@ -1,23 +1,18 @@
 //! Blocks into targets.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
-use crate::geometry::orientation::OrientationConvention;
 use crate::program::dialect::stated::Stated;
-use crate::program::number::{Insertion, NumberField};
 use crate::program::selection::{InForce, Selections};
-use crate::program::target::{
-    CartesianNumbers, Configuration, Definition, LengthUnit, PathKind, Program, Reference, Target, TargetValue, Units,
-    Use,
-};
+use crate::program::target::{Configuration, Definition, PathKind, Program, Reference, Target, TargetValue, Use};
 
 use super::block::{Block, block};
 use super::modal::{Modal, Motion};
 
-const POSITION: [&str; 3] = ["X", "Y", "Z"];
+/// The words of a position.
+pub(super) const POSITION: [&str; 3] = ["X", "Y", "Z"];
 /// The sets of orientation words.
 const TURNS: [[&str; 3]; 3] = [["A3", "B3", "C3"], ["A2", "B2", "C2"], ["A", "B", "C"]];
 /// Keywords behind which it is not known where the axes are.
@@ -30,20 +25,22 @@ const JUMPS: [&str; 15] = [
 pub(super) fn read(sources: &[Source]) -> Program {
     let mut program = Program::default();
     for (file, source) in sources.iter().enumerate() {
-        let blocks: Vec<Block> = source.lines().map(|line| block(source.bytes(), line)).collect();
-        Reader::new(source, file, &blocks).read(&blocks, &mut program);
+        Reader::new(source, file).read(&mut program);
     }
     program
 }
 
 /// A file while it is read.
-struct Reader<'a> {
-    source: &'a Source,
+pub(super) struct Reader<'a> {
+    /// The file.
+    pub source: &'a Source,
     file: usize,
-    stated: Stated,
-    modal: Modal,
+    /// What it says about itself.
+    pub stated: Stated,
+    /// What holds from block to block.
+    pub modal: Modal,
     /// The orientation words that this file uses.
-    turns: Option<[&'static str; 3]>,
+    pub turns: Option<[&'static str; 3]>,
     tools: Selections,
     frames: Selections,
     joins: Vec<usize>,
@@ -53,20 +50,28 @@ struct Reader<'a> {
     /// Blocks can be jumped to.
     jumps: bool,
     arcs: Vec<Span>,
-    without_point: usize,
+    /// Coordinates without a decimal point.
+    pub without_point: usize,
 }
 
 impl<'a> Reader<'a> {
-    fn new(source: &'a Source, file: usize, blocks: &[Block]) -> Self {
-        let uses = |words: &[&str; 3]| blocks.iter().any(|block| words.iter().any(|word| block.word(word).is_some()));
-        let changes_by_m6 = blocks.iter().any(|block| block.numbers("M").any(|code| code == 6.0));
-        let jumps = blocks.iter().any(|block| block.keywords.iter().any(|word| word.starts_with("GOTO")));
+    /// Looks through the blocks once for what decides how all of them are read; they are not kept, programs are long.
+    fn new(source: &'a Source, file: usize) -> Self {
+        let (mut used, mut changes_by_m6, mut jumps) = ([false; TURNS.len()], false, false);
+        for line in source.lines() {
+            let block = block(source.bytes(), line);
+            for (used, words) in used.iter_mut().zip(&TURNS) {
+                *used |= words.iter().any(|word| block.word(word).is_some());
+            }
+            changes_by_m6 |= block.numbers("M").any(|code| code == 6.0);
+            jumps |= block.keywords.iter().any(|word| word.starts_with("GOTO"));
+        }
         Self {
             source,
             file,
             stated: Stated::default(),
             modal: Modal::default(),
-            turns: TURNS.iter().find(|words| uses(words)).copied(),
+            turns: TURNS.into_iter().zip(used).find(|(_, used)| *used).map(|(words, _)| words),
             tools: Selections::default(),
             frames: Selections::default(),
             joins: Vec::new(),
@@ -78,9 +83,10 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn read(mut self, blocks: &[Block], program: &mut Program) {
+    fn read(mut self, program: &mut Program) {
         let first = program.targets.len();
-        for block in blocks {
+        for line in self.source.lines() {
+            let block = block(self.source.bytes(), line);
             for comment in &block.comments {
                 let stated = self.stated.read(self.source, self.file, *comment, &mut program.diagnostics);
                 if stated {
@@ -89,7 +95,7 @@ impl<'a> Reader<'a> {
                 }
             }
             if !block.words.is_empty() || !block.keywords.is_empty() {
-                self.block(block, program);
+                self.block(&block, program);
             }
         }
         if let Some(target) = program.targets.get(first) {
@@ -168,6 +174,9 @@ impl<'a> Reader<'a> {
 
     /// `$P_UIFR[1]=..` sets G54, `$TC_DP3[1,1]=..` the tool T1: their values are computed.
     fn defined(&self, block: &Block, line: usize, program: &mut Program) {
+        if !block.opaque {
+            return;
+        }
         let text = self.source.text(block.span).to_ascii_uppercase();
         let number = |mark: &str| -> Option<u32> {
             let rest = text.split_once(mark)?.1.split_once('[')?.1;
@@ -284,80 +293,5 @@ impl<'a> Reader<'a> {
             InForce::Known(selected) => selected.clone(),
             InForce::Open => Reference::Runtime(format!("several {what} are selected; which holds depends on the way")),
         }
-    }
-
-    /// The six numbers of a block, those that are left out taken from the blocks before.
-    fn fields(&mut self, block: &Block) -> Result<CartesianNumbers, String> {
-        let turns = self.turns.ok_or("no word says how the tool is turned")?;
-        let convention = self.stated.orientation.unwrap_or(OrientationConvention::FixedXyz);
-        let axes: Vec<&str> = POSITION.iter().chain(&turns).copied().collect();
-        let mut written: HashMap<&str, NumberField> = HashMap::new();
-        let mut runtime = None;
-        for &address in &axes {
-            match block.word(address).map(|word| (&word.value, word.span)) {
-                Some((Some(field), _)) => {
-                    self.modal.axes.insert(address.into(), field.clone());
-                    self.without_point +=
-                        usize::from(!self.source.slice(field.span).contains(&b'.') && field.value != 0.0);
-                    written.insert(address, field.clone());
-                }
-                Some((None, span)) => {
-                    self.modal.axes.remove(address);
-                    runtime = Some(format!("`{}` is known only at run time", self.source.text(span)));
-                }
-                None => {}
-            }
-        }
-        if let Some(reason) = runtime {
-            return Err(reason);
-        }
-        // Parts of a vector that are not given beside others are zero.
-        let vector = turns[0] == "A3" && turns.iter().any(|address| written.contains_key(address));
-        let place = self.insertion_place(block, &axes);
-        let mut fields = Vec::with_capacity(axes.len());
-        for &address in &axes {
-            let zero = vector && turns.contains(&address);
-            let field = match (written.remove(address), self.modal.axes.get(address)) {
-                (Some(field), _) => field,
-                (None, Some(_)) if zero => self.left_out(address, 0.0, 6, place, false),
-                (None, None) if zero => self.left_out(address, 0.0, 6, place, false),
-                (None, Some(before)) => self.left_out(address, before.value, before.decimals, place, true),
-                (None, None) => return Err(format!("{address} is left out, and no block before says where it stands")),
-            };
-            if zero {
-                self.modal.axes.insert(address.into(), field.clone());
-            }
-            fields.push(field);
-        }
-        let orientation = fields.split_off(POSITION.len());
-        let position: [NumberField; 3] = fields.try_into().map_err(|_| "an axis is missing".to_owned())?;
-        let inches = self.modal.inches.unwrap_or(self.stated.length == Some(LengthUnit::Inch));
-        let length = if inches { LengthUnit::Inch } else { self.stated.length.unwrap_or(LengthUnit::Millimetre) };
-        let units = Units { length, radians: self.stated.radians.unwrap_or(false) };
-        Ok(CartesianNumbers { position, orientation, convention, units })
-    }
-
-    /// Behind the last axis word of the block, and whether words are set apart.
-    fn insertion_place(&self, block: &Block, axes: &[&str]) -> (usize, bool) {
-        let last = block.words.iter().rfind(|word| axes.contains(&word.address.as_str()));
-        let last = last.map_or(block.span, |word| word.span);
-        let apart = last.start > block.span.start && self.source.bytes()[last.start - 1].is_ascii_whitespace();
-        (last.end, apart || last.start == block.span.start)
-    }
-
-    fn left_out(
-        &self,
-        address: &str,
-        value: f64,
-        decimals: usize,
-        (at, apart): (usize, bool),
-        repeats: bool,
-    ) -> NumberField {
-        let blank = if apart { " " } else { "" };
-        let equals = if address.len() > 1 { "=" } else { "" };
-        let insertion = Insertion { before: format!("{blank}{address}{equals}"), after: String::new(), repeats };
-        // Never without a point: some controls read `Z5` as five increments.
-        let decimals = decimals.max(1);
-        NumberField { span: Span::new(at, at), value, decimals, insertion: Some(Box::new(insertion)), column: None }
     }
 }

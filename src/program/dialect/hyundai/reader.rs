@@ -71,7 +71,6 @@ pub(super) fn read(sources: &[Source]) -> Program {
     for index in 0..files.len() {
         checks::targets(index, &mut program);
     }
-    program.targets.sort_by_key(|target| (target.file, target.span));
     program
 }
 

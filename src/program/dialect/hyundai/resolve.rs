@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
-use crate::program::target::{Program, Reference, Target, TargetValue, Use};
+use crate::program::target::{Mention, Program, Reference, Target, TargetValue, Use};
 
 use super::checks;
 use super::expression::{Goal, Name};
@@ -22,6 +22,8 @@ pub(super) struct Resolver<'a> {
     diagnostics: Vec<Diagnostic>,
     /// Index of the target of a name: scope and name.
     named: HashMap<(Option<usize>, String), usize>,
+    /// File and place of a variable's pose, and where a motion names the variable.
+    mentions: Vec<((usize, Span), Mention)>,
 }
 
 /// One motion and where it stands.
@@ -36,7 +38,7 @@ struct Step<'a> {
 impl<'a> Resolver<'a> {
     /// Starts with no targets.
     pub fn new(variables: &'a Variables) -> Self {
-        Self { variables, targets: Vec::new(), diagnostics: Vec::new(), named: HashMap::new() }
+        Self { variables, targets: Vec::new(), diagnostics: Vec::new(), named: HashMap::new(), mentions: Vec::new() }
     }
 
     /// Adds the targets of all motions of a file.
@@ -49,6 +51,8 @@ impl<'a> Resolver<'a> {
     /// Hands targets and findings over.
     pub fn finish(self, program: &mut Program) {
         program.targets.extend(self.targets);
+        program.targets.sort_by_key(|target| (target.file, target.span));
+        program.note_replaceable(&self.mentions);
         program.diagnostics.extend(self.diagnostics);
     }
 
@@ -80,6 +84,9 @@ impl<'a> Resolver<'a> {
         let known = self.variables.get(step.index, &name.key);
         let written = known.and_then(|(variable, _)| variable.poses.first());
         let frame = written.map_or(Reference::Unnamed, |(_, pose)| step.frame(&pose.coordinates));
+        if let Some((file, pose)) = written {
+            self.mentions.push(((*file, pose.span), (step.index, name.span)));
+        }
         let key = (self.variables.scope(step.index, &name.key), name.key.clone());
         if let Some(&at) = self.named.get(&key) {
             self.targets[at].add_use(step.usage(frame));

@@ -107,7 +107,7 @@ impl Reader<'_> {
             let Found::Values(found) = self.values.find(name, placed.scope) else { continue };
             for index in found {
                 let reason = format!("handed to the program `{callee}`");
-                self.to_value(index, a_use("CALL", PathKind::Other, placed, setting.clone(), Some(reason)), None);
+                self.use_value(index, a_use("CALL", PathKind::Other, placed, setting.clone(), Some(reason)), None);
             }
         }
     }
@@ -134,7 +134,7 @@ impl Reader<'_> {
                 };
                 (one.tool, one.frame) = (named(tool), named(work));
                 match literal_numbers(source, placed.scope.0, "", *span, joints, true) {
-                    Some(value) => self.to_literal(&value, one, elbow),
+                    Some(value) => self.use_literal(&value, one, elbow),
                     None => {
                         let reason = "its joint values are not six numbers".to_owned();
                         self.targets.unwritten(&source.text(*span), *span, reason, one);
@@ -154,12 +154,12 @@ impl Reader<'_> {
         let Some(terms) = goal.terms.as_deref() else { return unwritten(self, "it is computed", one) };
         if let [Term::Name(name)] = terms {
             return match self.values.find(name, scope) {
-                Found::Values(found) => found.into_iter().for_each(|index| self.to_value(index, one.clone(), elbow)),
+                Found::Values(found) => found.into_iter().for_each(|index| self.use_value(index, one.clone(), elbow)),
                 Found::Unknown(reason, _) => unwritten(self, &reason, one),
             };
         }
         if let Some(value) = literal(source, scope.0, "", goal) {
-            return self.to_literal(&value, one, elbow);
+            return self.use_literal(&value, one, elbow);
         }
         if let Some(displaced) = self.displaced(terms, scope) {
             self.targets.inline(displaced.target(&text, one));
@@ -184,12 +184,12 @@ impl Reader<'_> {
                 match last {
                     Term::Name(name) => match self.values.find(name, scope) {
                         Found::Values(all) => {
-                            all.into_iter().for_each(|index| self.to_value(index, one.clone(), elbow))
+                            all.into_iter().for_each(|index| self.use_value(index, one.clone(), elbow))
                         }
                         Found::Unknown(reason, _) => unwritten(self, &reason, one),
                     },
                     Term::Trans(span, numbers) => match literal_numbers(source, scope.0, "", *span, numbers, false) {
-                        Some(value) => self.to_literal(&value, one, elbow),
+                        Some(value) => self.use_literal(&value, one, elbow),
                         None => unwritten(self, "it has not six numbers", one),
                     },
                     _ => unwritten(self, "it is computed", one),
@@ -229,10 +229,10 @@ impl Reader<'_> {
         }
     }
 
-    fn to_value(&mut self, index: usize, one: Use, elbow: Option<bool>) {
+    fn use_value(&mut self, index: usize, one: Use, elbow: Option<bool>) {
         let value = &self.values.all[index];
         let make = || of_value(value, self.kept.get(&index), Some(value.shown.clone()));
-        let target = self.targets.to_key(index, one, make);
+        let target = self.targets.add_use(index, one, make);
         // Only what is asked for at every use is asked for.
         let first = target.uses.len() == 1;
         if first || target.configuration.elbow_down != elbow {
@@ -240,7 +240,7 @@ impl Reader<'_> {
         }
     }
 
-    fn to_literal(&mut self, value: &Value, one: Use, elbow: Option<bool>) {
+    fn use_literal(&mut self, value: &Value, one: Use, elbow: Option<bool>) {
         let target = self.targets.inline(of_value(value, None, None));
         target.configuration.elbow_down = elbow;
         target.uses.push(one);

@@ -87,7 +87,11 @@ impl Reader<'_> {
     /// branch and before any move to it, has that value; one that it sets otherwise has the saved value for a while.
     fn settle(&mut self, program: &[Range<usize>], list: &[Range<usize>]) {
         let text = self.text;
-        let straight = program.iter().position(|one| joins(text, one)).unwrap_or(program.len());
+        // A routine that is called comes back; a label is passed.
+        let leaves = |one: &Range<usize>| {
+            joins(text, one) && !text.is(one.start, b'*') && !matches!(text.word(one.start).as_str(), "CALLP" | "GOSUB")
+        };
+        let straight = program.iter().position(leaves).unwrap_or(program.len());
         let mut first_named: HashMap<String, usize> = HashMap::new();
         for (index, statement) in program.iter().enumerate() {
             for at in statement.clone().filter(|&at| text.kind(at) == Some(Kind::Name)) {
@@ -123,12 +127,13 @@ impl Reader<'_> {
             if !begins {
                 continue;
             }
-            let rest = at + 1..statement.end;
+            let next = (at + 1..statement.end).find(|&at| matches!(text.word(at).as_str(), "THEN" | "ELSE"));
+            let rest = at + 1..next.unwrap_or(statement.end);
             let word = text.word(at);
             match word.as_str() {
                 "TOOL" => self.tool(&rest, offset, line, program),
                 "M_TOOL" if text.is(at + 1, b'=') => {
-                    let tool = numbered(text, &(at + 2..statement.end), "tool");
+                    let tool = numbered(text, &(at + 2..rest.end), "tool");
                     self.selected.tools.push(offset, tool);
                 }
                 "BASE" => self.base(&rest, offset, line, program),
@@ -151,7 +156,7 @@ impl Reader<'_> {
     fn moved(&mut self, word: &str, paths: &[PathKind], rest: &Range<usize>, statement: &Range<usize>) {
         let text = self.text;
         // What is done beside the move, and how joints turn.
-        let end = rest.clone().find(|&at| matches!(text.word(at).as_str(), "WTH" | "WTHIF" | "TYPE" | "ELSE"));
+        let end = rest.clone().find(|&at| matches!(text.word(at).as_str(), "WTH" | "WTHIF" | "TYPE"));
         let operands = text.split(&(rest.start..end.unwrap_or(rest.end)));
         let offset = text.span(statement).start;
         let approach = (paths.len() == 1)

@@ -85,7 +85,7 @@ fn variables_that_change_are_computed() {
 #[test]
 fn saved_positions_yield_to_those_that_the_program_sets() {
     let read = program(
-        "1 P2 = (200.000,250.000,348.735,-150.000,0.000,180.000)\n2 Mvs P2\n3 Mvs P3\n4 P3 = (1,2,3,0,0,0)\n5 Mvs P3\n\
+        "1 P2 = (200.000,250.000,348.735,-150.000,0.000,180.000)\nCallP \"ON\"\n2 Mvs P2\n3 Mvs P3\n4 P3 = (1,2,3,0,0,0)\n5 Mvs P3\n\
          6 If M1=1 Then *L1\n7 P4 = (1,2,3,0,0,0)\n8 Mvs P4\n9 Mvs P5\n10 End\n\nP2=(0.000,0.000,0.000,0.000,0.000,0.000)(7,0)\n\
          P3=(0,0,0,0,0,0)(7,0)\nP4=(0,0,0,0,0,0)(7,0)\nP5=(5,0,0,0,0,0)(7,0)\n",
     );

@@ -164,7 +164,7 @@ impl<'a> One<'a> {
                 match (&variable.changed, value(variable.numbers.as_deref(), &motion.coordinates)) {
                     (None, Ok(value)) => {
                         let key = self.file * VARIABLES_A_FILE + *number as usize;
-                        targets.to_key(key, one, || Target {
+                        targets.add_use(key, one, || Target {
                             name: Some(format!("P{number}")),
                             computed: self.pinned.get(number).cloned(),
                             external_axes,

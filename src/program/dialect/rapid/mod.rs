@@ -79,7 +79,9 @@ impl Dialect for Rapid {
         moves::read_moves(&job, &keys, &flow, &mut positions);
         let note = saved_back(&job, &positions);
         let declarations = positions.declarations();
+        let elements = positions.element_mentions();
         program.targets = in_file_order(positions.targets);
+        program.note_replaceable(&elements);
         let declared = |target: &Target| declarations.get(&(target.file, target.span)).cloned();
         let by_index = program.targets.iter().enumerate();
         program.declarations = by_index.filter_map(|(index, target)| Some((index, declared(target)?))).collect();

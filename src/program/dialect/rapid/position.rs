@@ -8,8 +8,8 @@ use crate::base::text::Span;
 use crate::geometry::orientation::OrientationConvention;
 use crate::program::number::NumberField;
 use crate::program::target::{
-    CartesianNumbers, Configuration, Declaration, DisplacementKind, ExternalAxis, JointNumbers, Target, TargetValue,
-    Units,
+    CartesianNumbers, Configuration, Declaration, DisplacementKind, ExternalAxis, JointNumbers, Mention, Target,
+    TargetValue, Units,
 };
 
 use super::argument::{list, numbers, values};
@@ -32,6 +32,8 @@ pub struct Positions<'j, 'a> {
     by_element: HashMap<(usize, String), usize>,
     /// Where moves name single positions: symbol, file and place.
     mentions: Vec<(usize, usize, Span)>,
+    /// Elements of arrays that are named with their index: target and place of the name.
+    element_mentions: Vec<(usize, Mention)>,
     /// Names that are declared in no file of the job.
     by_name: HashMap<(usize, String), usize>,
     /// How many more targets a variable index may stand for: keeps huge arrays from being listed for each move.
@@ -60,6 +62,7 @@ impl<'j, 'a> Positions<'j, 'a> {
             by_symbol: HashMap::new(),
             by_element: HashMap::new(),
             mentions: Vec::new(),
+            element_mentions: Vec::new(),
             by_name: HashMap::new(),
             budget: MAX_INDEXED_USES,
             overrun: HashSet::new(),
@@ -82,6 +85,12 @@ impl<'j, 'a> Positions<'j, 'a> {
             entry.mentions.push((file, place));
         }
         found
+    }
+
+    /// Where moves name an element of an array, by file and place of its value: a value may stand there as well.
+    pub fn element_mentions(&self) -> Vec<((usize, Span), Mention)> {
+        let place = |target: usize| (self.targets[target].file, self.targets[target].span);
+        self.element_mentions.iter().map(|(target, mention)| (place(*target), *mention)).collect()
     }
 
     fn declaration(&self, symbol: &Symbol) -> Option<Declaration> {
@@ -167,7 +176,10 @@ impl<'j, 'a> Positions<'j, 'a> {
             return self.any_of(&all);
         };
         match self.by_element.get(&(index, label)) {
-            Some(&target) => vec![target],
+            Some(&target) => {
+                self.element_mentions.push((target, (scope.file, text.span(range))));
+                vec![target]
+            }
             // A parameter or an array without values has one target and no elements.
             None if all.len() == 1 => all.to_vec(),
             None => vec![self.no_element(text, range, scope)],

@@ -107,10 +107,10 @@ impl Positions {
     /// The same for a solution that the move asks for, where the position itself says nothing.
     pub fn ask(&mut self, key: &str, configuration: &Configuration) {
         let Some(&index) = self.by_key.get(key) else { return };
-        if let Some((position, _)) = &mut self.names[index].given {
-            if position.configuration == Configuration::default() {
-                position.configuration = configuration.clone();
-            }
+        if let Some((position, _)) = &mut self.names[index].given
+            && position.configuration == Configuration::default()
+        {
+            position.configuration = configuration.clone();
         }
     }
 

@@ -106,7 +106,8 @@ impl Tokens {
 
 fn cut_line(bytes: &[u8], line: Span, lexis: &Lexis, begins: bool, found: &mut Vec<Token>) {
     let mut cursor = Cursor::new(bytes, line);
-    let first = found.len();
+    // Nothing but a line number so far.
+    let mut numbered = true;
     let in_name =
         |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80 || lexis.in_names.contains(&byte);
     loop {
@@ -117,7 +118,6 @@ fn cut_line(bytes: &[u8], line: Span, lexis: &Lexis, begins: bool, found: &mut V
         }
         let start = cursor.offset();
         let Some(byte) = cursor.peek() else { break };
-        let numbered = found[first..].iter().all(|token| token.kind == Kind::Number);
         let is_comment = |word: &&str| begins && numbered && starts_with_word(cursor.rest(), word);
         if lexis.comments.iter().any(|mark| cursor.rest().starts_with(mark.as_bytes()))
             || lexis.comment_words.iter().any(is_comment)
@@ -147,6 +147,7 @@ fn cut_line(bytes: &[u8], line: Span, lexis: &Lexis, begins: bool, found: &mut V
             cursor.bump();
             Kind::Symbol(byte)
         };
+        numbered &= kind == Kind::Number;
         found.push(Token { kind, span: Span::new(start, cursor.offset()) });
     }
 }
@@ -225,6 +226,20 @@ impl<'a> Text<'a> {
             }
         }
         None
+    }
+
+    /// The names in a range that a bracket follows, outside of all brackets.
+    pub fn calls(&self, range: &Range<usize>) -> Vec<usize> {
+        let (mut depth, mut found) = (0_usize, Vec::new());
+        for at in range.clone() {
+            match self.kind(at) {
+                Some(Kind::Name) if depth == 0 && self.is(at + 1, b'(') => found.push(at),
+                Some(Kind::Symbol(b'(' | b'[' | b'{')) => depth += 1,
+                Some(Kind::Symbol(b')' | b']' | b'}')) => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+        }
+        found
     }
 
     /// Divides a range at commas outside of brackets; empty parts count.

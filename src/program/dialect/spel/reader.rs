@@ -239,7 +239,7 @@ impl Reader<'_> {
             match goal {
                 Goal::Point(number, changed) => {
                     one.computed = one.computed.or(changed);
-                    self.to_point(number, source, span, one);
+                    self.use_point(number, source, span, one);
                 }
                 Goal::Literal(point) => {
                     let target = self.targets.inline(of_point(&point, None, None));
@@ -256,7 +256,7 @@ impl Reader<'_> {
         }
     }
 
-    fn to_point(&mut self, number: u32, source: &Source, span: Span, mut one: Use) {
+    fn use_point(&mut self, number: u32, source: &Source, span: Span, mut one: Use) {
         let change = self.changes.set.get(&number);
         let constant = change.filter(|change| change.count == 1).and_then(|change| change.literal.as_ref());
         let Some(point) = constant.or_else(|| self.points.all.get(&number)) else {
@@ -270,7 +270,7 @@ impl Reader<'_> {
             true => format!("P{number}"),
             false => point.shown.clone(),
         };
-        self.targets.to_key(number as usize, one, || of_point(point, kept, Some(name)));
+        self.targets.add_use(number as usize, one, || of_point(point, kept, Some(name)));
     }
 
     fn finish(mut self, program: &mut Program) {
@@ -290,7 +290,7 @@ impl Reader<'_> {
                 let change = self.changes.set.get(&number).map(|change| change.reason.clone());
                 let kept =
                     change.or_else(|| self.changes.pinned.get(&number).cloned()).or(self.changes.any_set.clone());
-                self.targets.to_key(number as usize, used, || of_point(point, kept, Some(point.shown.clone())));
+                self.targets.add_use(number as usize, used, || of_point(point, kept, Some(point.shown.clone())));
             }
         }
         self.targets.finish(program);

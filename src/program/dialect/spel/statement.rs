@@ -66,8 +66,8 @@ fn statements(bytes: &[u8], line: Span) -> Vec<Span> {
             found.push(Span::new(from, to));
         }
     };
-    for at in line.start..line.end {
-        match bytes[at] {
+    for (at, &byte) in bytes.iter().enumerate().take(line.end).skip(line.start) {
+        match byte {
             b'"' => quoted = !quoted,
             b';' if !quoted => {
                 add(start, at);

@@ -8,6 +8,7 @@ use crate::geometry::orientation::OrientationConvention;
 use crate::program::number::{Insertion, NumberField, number_at};
 use crate::program::target::{CartesianNumbers, Configuration, JointNumbers, Program, TargetValue, Units};
 
+use super::older;
 use super::xml::{Part, Tag, parts};
 
 const POSE: [&str; 6] = ["x", "y", "z", "rx", "ry", "rz"];
@@ -69,6 +70,7 @@ pub(super) fn read(source: &Source, file: usize, data: &mut Data, program: &mut 
     }
     let mut current: Option<(String, Kind)> = None;
     let mut depth_of_fields = 0_usize;
+    let mut older = older::Reader::default();
     for part in &parts {
         match part {
             Part::Open(tag) => match &bytes[tag.name.start..tag.name.end] {
@@ -82,17 +84,16 @@ pub(super) fn read(source: &Source, file: usize, data: &mut Data, program: &mut 
                 b"Field" if !tag.empty => depth_of_fields += 1,
                 b"Value" if depth_of_fields == 0 => {
                     let Some((name, kind)) = &current else { continue };
-                    let key = tag.text(bytes, "key").unwrap_or_else(|| "0".into()).replace(' ', "");
+                    let key = normal(&tag.text(bytes, "key").unwrap_or_else(|| "0".into()));
                     let value = value(source, file, name, *kind, &key, tag);
-                    if let Some(reason) = &value.broken {
-                        let message = format!("`{}`: {reason}", value.shown);
-                        program.diagnostics.push(Diagnostic::error("broken-value", message).at(file, value.span, ""));
-                    }
-                    if let Some(variable) = data.0.get_mut(name) {
-                        variable.values.insert(key, value);
-                    }
+                    add(data, Element { name: name.clone(), kind: *kind, key }, value, program);
                 }
-                _ => {}
+                _ => {
+                    if let Some((name, value)) = older.open(source, file, tag) {
+                        add(data, name, value, program);
+                    }
+                    older.configure(bytes, tag, data);
+                }
             },
             Part::Close(name) => match &bytes[name.start..name.end] {
                 b"Data" => current = None,
@@ -102,6 +103,32 @@ pub(super) fn read(source: &Source, file: usize, data: &mut Data, program: &mut 
             Part::Text(..) => {}
         }
     }
+}
+
+/// A key without blanks around its parts: `1, 2` is `1,2`.
+pub(super) fn normal(key: &str) -> String {
+    key.split(',').map(str::trim).collect::<Vec<_>>().join(",")
+}
+
+/// Which element of which variable.
+#[derive(Clone, Debug)]
+pub(super) struct Element {
+    /// The variable.
+    pub name: String,
+    /// Its type.
+    pub kind: Kind,
+    /// The key.
+    pub key: String,
+}
+
+fn add(data: &mut Data, element: Element, value: Value, program: &mut Program) {
+    if let Some(reason) = &value.broken {
+        let message = format!("`{}`: {reason}", value.shown);
+        program.diagnostics.push(Diagnostic::error("broken-value", message).at(value.file, value.span, ""));
+    }
+    let Element { name, kind, key } = element;
+    let variable = data.0.entry(name).or_insert(Variable { kind, values: BTreeMap::new() });
+    variable.values.insert(key, value);
 }
 
 /// Name and kind that a `Data` tag declares.
@@ -117,7 +144,8 @@ fn variable(bytes: &[u8], tag: &Tag) -> Option<(String, Kind)> {
     Some((name, kind))
 }
 
-fn value(source: &Source, file: usize, name: &str, kind: Kind, key: &str, tag: &Tag) -> Value {
+/// The value whose numbers stand in a tag.
+pub(super) fn value(source: &Source, file: usize, name: &str, kind: Kind, key: &str, tag: &Tag) -> Value {
     let bytes = source.bytes();
     let shown = if key == "0" { name.to_owned() } else { format!("{name}[{key}]") };
     let names = if kind == Kind::Joint { JOINTS } else { POSE };

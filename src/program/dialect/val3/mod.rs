@@ -6,7 +6,8 @@
 //! Everything else stays opaque: values inside of user types (`Field`), libraries, other statements.
 //!
 //! # What is known, and from where
-//! * Files: the ROS-Industrial driver for Staubli; data files printed in public repositories; the RoboDK post.
+//! * Files: the ROS-Industrial driver for Staubli and applications of other authors, of version 6 (see `older`) and of
+//!   version 7; the RoboDK post.
 //! * **A value that is zero is not written.** A correction may have to insert an attribute, which goes where the
 //!   development environment would write it: behind the one before it in the order x, y, z, rx, ry, rz (j1 to j6).
 //! * Orientation: R = Rx(rx) Ry(ry) Rz(rz), about X, the turned Y, the turned Z. Millimetres and degrees.
@@ -21,6 +22,7 @@ mod change;
 mod code;
 mod data;
 mod moves;
+mod older;
 mod program_file;
 mod reader;
 mod tree;

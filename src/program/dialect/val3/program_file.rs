@@ -23,17 +23,28 @@ pub(super) struct Code {
     pub text: Span,
 }
 
+/// Where version 6 declares names, one element each.
+#[derive(Clone, Copy, PartialEq)]
+enum Section {
+    None,
+    Parameters,
+    Locals,
+}
+
 /// Reads the programs of a file; other files give none.
 pub(super) fn read(source: &Source, file: usize, program: &mut Program) -> Vec<Code> {
     let bytes = source.bytes();
     let mut found = Vec::new();
     let mut current: Option<Code> = None;
+    let mut section = Section::None;
     for part in parts(bytes).0 {
         match part {
             Part::Open(tag) => {
                 let name = tag.text(bytes, "name");
                 match (&bytes[tag.name.start..tag.name.end], name, &mut current) {
-                    (b"Program", Some(name), _) => {
+                    (b"paramSection", ..) if !tag.empty => section = Section::Parameters,
+                    (b"localSection", ..) if !tag.empty => section = Section::Locals,
+                    (b"Program" | b"program", Some(name), _) => {
                         let (parameters, own_names) = (Vec::new(), HashSet::new());
                         current = Some(Code { file, name, parameters, own_names, text: Span::default() });
                     }
@@ -44,6 +55,12 @@ pub(super) fn read(source: &Source, file: usize, program: &mut Program) -> Vec<C
                     }
                     (b"Local", Some(name), Some(code)) => {
                         code.own_names.insert(name);
+                    }
+                    (_, Some(name), Some(code)) if section != Section::None => {
+                        code.own_names.insert(name.clone());
+                        if section == Section::Parameters {
+                            code.parameters.push((name, true));
+                        }
                     }
                     _ => {}
                 }
@@ -57,7 +74,11 @@ pub(super) fn read(source: &Source, file: usize, program: &mut Program) -> Vec<C
                 }
                 found.extend(current.take().map(|code| Code { text, ..code }));
             }
-            Part::Close(_) => {}
+            Part::Close(name) => {
+                if matches!(&bytes[name.start..name.end], b"paramSection" | b"localSection") {
+                    section = Section::None;
+                }
+            }
         }
     }
     found

@@ -78,29 +78,26 @@ impl Reader<'_> {
                 grip_load: Reference::Unnamed,
                 computed: one.computed.clone(),
             };
-            if let Err((reason, used)) = self.goal(code, text, range, used) {
+            if let Err(reason) = self.goal(code, text, range, &used) {
                 self.targets.unwritten(&text.show(range), text.span(range), reason, used);
             }
         }
     }
 
-    fn goal(&mut self, code: &Code, text: &Text<'_>, range: &Range<usize>, mut used: Use) -> Result<(), (String, Use)> {
+    fn goal(&mut self, code: &Code, text: &Text<'_>, range: &Range<usize>, used: &Use) -> Result<(), String> {
         if let Some(target) = literal(text, code.file, range) {
             let target = self.targets.inline(target);
-            used.frame = if target.kind() == "joint" { Reference::Unnamed } else { father(None) };
-            target.uses.push(used);
+            let frame = if target.kind() == "joint" { Reference::Unnamed } else { father(None) };
+            target.uses.push(Use { frame, ..used.clone() });
             return Ok(());
         }
         if text.word(range.start) == b"appro" && text.is(range.start + 1, b'(') {
             return self.appro(code, text, range, used);
         }
-        let Some(name) = text.only_name(range) else { return Err(("it is computed".into(), used)) };
-        let values = match self.values(code, &name.base, name.key.as_deref()) {
-            Ok(values) => values,
-            Err(reason) => return Err((reason, used)),
-        };
+        let Some(name) = text.only_name(range) else { return Err("it is computed".into()) };
+        let values = self.values(code, &name.base, name.key.as_deref())?;
         for (key, value) in values {
-            self.to_value(&name.base, &key, &value, used.clone());
+            self.use_value(&name.base, &key, &value, used.clone());
         }
         Ok(())
     }
@@ -125,14 +122,14 @@ impl Reader<'_> {
         }
     }
 
-    fn to_value(&mut self, base: &str, key: &str, value: &Value, mut used: Use) {
+    fn use_value(&mut self, base: &str, key: &str, value: &Value, mut used: Use) {
         let joint = matches!(value.numbers, TargetValue::Joint(_));
         if !joint {
             used.frame = father(value.father.as_deref());
         }
         let number = self.numbers.get(&(base.to_owned(), key.to_owned())).copied().unwrap_or_default();
         let changed = self.changes.reason(base, key);
-        self.targets.to_key(number, used, || Target {
+        self.targets.add_use(number, used, || Target {
             name: Some(value.shown.clone()),
             computed: value.broken.as_ref().or(changed).cloned(),
             configuration: value.configuration.clone(),
@@ -141,30 +138,21 @@ impl Reader<'_> {
     }
 
     /// `appro(p,{0,0,-100,0,0,0})` moves with p, and is corrected on top where its numbers are written.
-    fn appro(
-        &mut self,
-        code: &Code,
-        text: &Text<'_>,
-        range: &Range<usize>,
-        mut used: Use,
-    ) -> Result<(), (String, Use)> {
+    fn appro(&mut self, code: &Code, text: &Text<'_>, range: &Range<usize>, used: &Use) -> Result<(), String> {
         let Some((arguments, _)) = text.parts(range.start + 1).filter(|(_, close)| close + 1 == range.end) else {
-            return Err(("it is computed".into(), used));
+            return Err("it is computed".into());
         };
         let [point, by] = &arguments[..] else {
-            return Err(("`appro` takes a point and a transformation".into(), used));
+            return Err("`appro` takes a point and a transformation".into());
         };
-        let Some(name) = text.only_name(point) else { return Err(("it is computed".into(), used)) };
-        let values = match self.values(code, &name.base, name.key.as_deref()) {
-            Ok(values) => values,
-            Err(reason) => return Err((reason, used)),
-        };
+        let Some(name) = text.only_name(point) else { return Err("it is computed".into()) };
+        let values = self.values(code, &name.base, name.key.as_deref())?;
         let written = numbers(text, by).and_then(|fields| <[NumberField; 6]>::try_from(fields).ok());
         if let ([(key, value)], Some(fields)) = (&values[..], written)
             && self.changes.reason(&name.base, key).is_none()
             && matches!(value.numbers, TargetValue::Cartesian(_))
         {
-            used.frame = father(value.father.as_deref());
+            let used = Use { frame: father(value.father.as_deref()), ..used.clone() };
             let base = self.numbers.get(&(name.base, key.clone())).copied().unwrap_or_default();
             let turn = data::pose(fields.clone()).pose().map(|pose| pose.rotation);
             let [x, y, z, ..] = fields;
@@ -183,7 +171,7 @@ impl Reader<'_> {
         let reason = format!("displaced by `{}`: it moves with the point", text.show(by));
         for (key, value) in values {
             let used = Use { computed: Some(reason.clone()), ..used.clone() };
-            self.to_value(&name.base, &key, &value, used);
+            self.use_value(&name.base, &key, &value, used);
         }
         Ok(())
     }

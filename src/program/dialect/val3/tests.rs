@@ -91,6 +91,14 @@ fn frames_and_tools_stand_in_their_fathers() {
 }
 
 #[test]
+fn keys_are_numbers_or_words() {
+    let values = "<Value key=\"drop off\" x=\"1\"/><Value key=\"1, 2\" x=\"2\"/>";
+    let text = "movel(p[\"drop off\"],t,m)\r\nmovel(p[1,2],t,m)";
+    let program = read(&[data(&variable("p", "pointRx", values)), code("start", "", text)]);
+    assert_eq!(program.targets.iter().filter(|target| target.computed.is_none()).count(), 2);
+}
+
+#[test]
 fn values_inside_of_user_types_comments_and_strings_are_none() {
     let all = variable(
         "s",
@@ -177,4 +185,29 @@ fn only_val3_is_recognised() {
     for text in ["", "<a xmlns=\"http://www.w3.org/1999/xhtml\"/>", "http://www.staubli.com/robotics/VAL3/", "<"] {
         assert!(!recognises(text.as_bytes()), "{text}");
     }
+}
+
+/// As applications of version 6 look (TX60, CS8C).
+#[test]
+fn version_6_is_read() {
+    let data = "<?xml version=\"1.0\"?><dataList xmlns=\"DataNameSpace\"><frameSection><frame name=\"f\"><fFather alias=\"\" \
+                name=\"world\" fatherIndex=\"0\"/><valueFrame index=\"0\"><tfValue x=\"100\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" \
+                rz=\"0\"/></valueFrame></frame></frameSection><pointSection><point name=\"p\"><pFather alias=\"\" name=\"f\" \
+                fatherIndex=\"0\"/><valuePoint index=\"0\"><tpValue x=\"1\" y=\"2\" z=\"3\" rx=\"4\" ry=\"5\" rz=\"6\"/><cpValue \
+                shoulder=\"righty\" elbow=\"enegative\" wrist=\"wsame\"/></valuePoint><valuePoint index=\"1\"><tpValue \
+                x=\"9\"/></valuePoint></point></pointSection></dataList>";
+    let code = "<programList xmlns=\"ProgramNameSpace\"><program name=\"start\"><paramSection/><localSection><local \
+                name=\"l_p\"/></localSection><source><code>begin\n  movel(p[0],flange,m)\n  if n&lt;5\n  movej(p[1],flange,m)\n\
+                movel(l_p,flange,m)\nend</code></source></program></programList>";
+    let (data, code) = (Source::new("a.dtx", data), Source::new("start.pgx", code));
+    assert!(recognises(data.bytes()) && recognises(code.bytes()));
+    let program = read(&[data, code]);
+    let p = named(&program, "p");
+    let TargetValue::Cartesian(numbers) = &p.value else { panic!("a pose") };
+    assert_eq!(numbers.position.each_ref().map(|field| field.value), [1.0, 2.0, 3.0]);
+    assert_eq!((p.configuration.rear, p.configuration.elbow_down), (Some(true), Some(true)));
+    assert_eq!(p.uses[0].frame, Reference::Named("f".into()));
+    assert!((program.frames["f"].value.as_ref().expect("known").pose.translation.x - 0.1).abs() < 1e-12);
+    assert_eq!(named(&program, "p[1]").uses.len(), 1);
+    assert!(named(&program, "l_p").computed.is_some());
 }

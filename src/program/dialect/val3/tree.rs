@@ -5,7 +5,7 @@ use crate::geometry::pose::Pose;
 use crate::program::target::{Definition, FrameData, Program, Reference, TargetValue, ToolData};
 
 use super::change::Changes;
-use super::data::{Data, Kind};
+use super::data::{Data, Kind, normal};
 
 /// Longer chains of fathers are taken for circles.
 const MAX_DEPTH: usize = 16;
@@ -67,7 +67,7 @@ fn chain(data: &Data, changes: &Changes, base: &str, key: &str, root: &str) -> O
 /// `fPart[0]` as name and key.
 fn split(father: &str) -> (String, String) {
     match father.trim().strip_suffix(']').and_then(|text| text.split_once('[')) {
-        Some((base, key)) => (base.trim().to_owned(), key.replace([' ', '"'], "")),
+        Some((base, key)) => (base.trim().to_owned(), normal(&key.replace('"', ""))),
         None => (father.trim().to_owned(), "0".to_owned()),
     }
 }

@@ -4,8 +4,13 @@ use crate::base::text::Span;
 use crate::program::scan::Cursor;
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
-/// The name spaces of all VAL3 files begin with this.
-const NAME_SPACE: &[u8] = b"http://www.staubli.com/robotics/VAL3/";
+/// The name spaces of VAL3 files: of version 7 and later, and of version 6.
+const NAME_SPACES: [&[u8]; 4] = [
+    b"http://www.staubli.com/robotics/VAL3/",
+    b"xmlns=\"DataNameSpace\"",
+    b"xmlns=\"ProgramNameSpace\"",
+    b"xmlns=\"ProjectNameSpace\"",
+];
 /// The name space stands in the first element.
 const HEAD: usize = 2000;
 
@@ -16,7 +21,7 @@ pub(super) enum Part {
     Open(Tag),
     /// `</name>`, by its name.
     Close(Span),
-    /// What stands inside of `<![CDATA[..]]>`, and whether it is closed.
+    /// What stands inside of `<![CDATA[..]]>` or, in version 6, of `<code>`, and whether it is closed.
     Text(Span, bool),
 }
 
@@ -37,7 +42,8 @@ pub(super) struct Tag {
 pub(super) fn recognises(bytes: &[u8]) -> bool {
     let text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes).trim_ascii_start();
     let head = &text[..text.len().min(HEAD)];
-    text.first() == Some(&b'<') && head.windows(NAME_SPACE.len()).any(|window| window == NAME_SPACE)
+    let has = |space: &&[u8]| head.windows(space.len()).any(|window| window == *space);
+    text.first() == Some(&b'<') && NAME_SPACES.iter().any(has)
 }
 
 /// The parts of a file in order. The last element of the pair is false when the text stops inside of a tag.
@@ -70,7 +76,17 @@ pub(super) fn parts(bytes: &[u8]) -> (Vec<Part>, bool) {
             found.push(Part::Close(name));
         } else {
             match tag(&mut cursor, start) {
-                Some(tag) => found.push(Part::Open(tag)),
+                Some(tag) => {
+                    let is_code = &bytes[tag.name.start..tag.name.end] == b"code" && !tag.empty;
+                    found.push(Part::Open(tag));
+                    if is_code && !cursor.rest().trim_ascii_start().starts_with(b"<![CDATA[") {
+                        let from = cursor.offset();
+                        let length = find(&bytes[from..], b"</code");
+                        let end = length.map_or(bytes.len(), |length| from + length);
+                        found.push(Part::Text(Span::new(from, end), length.is_some()));
+                        cursor.seek(end);
+                    }
+                }
                 None if cursor.at_end() => return (found, false),
                 None => {}
             }
