@@ -195,8 +195,10 @@ fn justified(spec: &Spec, truth: &Truth, report: &Value, found: &(String, Value)
 /// What a hardship puts into the records under a name of the table.
 fn by_hardship(spec: &Spec, effect: &str, location: &Value) -> bool {
     let joint = location["joint"].as_u64().unwrap_or(0);
-    // A payload that nobody declared is a payload error; only its product with the compliances shows.
-    (spec.has(Hardship::PayloadUnknown) && matches!(effect, "payload_error" | "joint_compliance"))
+    // A tracker set up anew is a base that moved once, by as much as its registration errs.
+    (spec.has(Hardship::MovedStation) && effect == "step_shift" && location["frame"] == "base")
+        // A payload that nobody declared is a payload error; only its product with the compliances shows.
+        || (spec.has(Hardship::PayloadUnknown) && matches!(effect, "payload_error" | "joint_compliance"))
         // A reading before the arm has settled lags its approach.
         || (spec.has(Hardship::Unsettled) && joint <= 3 && matches!(effect, "backlash" | "friction_windup"))
 }

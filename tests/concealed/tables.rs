@@ -132,6 +132,11 @@ fn confusion(outcomes: &[Outcome], text: &mut String) {
     text.push('\n');
 }
 
+/// A number, or a dash where there is none.
+fn number(value: f64) -> String {
+    if value.is_finite() { format!("{value:.2}") } else { "-".into() }
+}
+
 /// The value below which this part of the sorted list lies.
 fn quantile(values: &mut [f64], part: f64) -> f64 {
     values.sort_by(f64::total_cmp);
@@ -200,7 +205,11 @@ fn hardships(outcomes: &[Outcome], text: &mut String) {
         if all_nulls + all == 0 {
             return;
         }
-        let _ = writeln!(text, "| {words} | {alarms} of {all_nulls} | {k} of {n} | {wrong} of {all} | {median:.2} |");
+        let _ = writeln!(
+            text,
+            "| {words} | {alarms} of {all_nulls} | {k} of {n} | {wrong} of {all} | {} |",
+            number(median)
+        );
     };
     for (_, words) in crate::trial::Hardship::ALL {
         row(
