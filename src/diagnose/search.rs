@@ -5,6 +5,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::identify::problem::NoPose;
 use crate::measure::recording::Kind;
+use crate::model::effect::Location;
 
 use super::candidate::Candidate;
 use super::check::holds;
@@ -18,6 +19,8 @@ use super::regressors::Regressors;
 use super::review::{Review, review};
 use super::scan;
 
+/// Rounds of taking in and refitting.
+const MOST_ROUNDS: usize = 40;
 /// Causes that one diagnosis finds at most.
 const MOST_CAUSES: usize = 24;
 /// Records that are searched at most: what shows in these is decided, and motion sampled quicker repeats itself.
@@ -85,10 +88,17 @@ fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u64) -
     let bare_m2 = bare.estimate.fit.cost * bare.estimate.spread.sigma_m.powi(2);
     let mut found = Found { fitted: bare, free: Vec::new(), blocks, bare_m2, reviews: Vec::new() };
     let mut exchanges = 0;
+    let mut seen = vec![found.names()];
     loop {
         while found.fitted.terms.len() + found.free.len() < MOST_CAUSES && found.add_some(ground, &mut random)? {
             found.tune(ground)?;
             found.drop_idle(ground)?;
+            // What looks worth taking in at first order may be idle once refitted, and look worth it again.
+            let now = found.names();
+            if seen.contains(&now) || seen.len() > MOST_ROUNDS {
+                break;
+            }
+            seen.push(now);
         }
         found.reviews = review(&found)?;
         if exchanges == MOST_EXCHANGES || !found.exchange_one(ground)? {
@@ -105,6 +115,23 @@ impl<'a> Found<'a> {
     pub fn projection(&self, regressors: &Regressors<'_, '_>, without: Option<usize>) -> Projection {
         let projection = self.fitted.projection(without);
         self.free.iter().fold(projection, |projection, free| projection.with(&free.columns(regressors)))
+    }
+
+    /// The causes by name and place, in no order: constants of places count by their whole numbers.
+    fn names(&self) -> Vec<String> {
+        let named = self.fitted.terms.iter().map(|term| {
+            let place = Location {
+                order: term.location().order.map(f64::round),
+                at_s: term.location().at_s.map(f64::round),
+                reference: None,
+                ..*term.location()
+            };
+            format!("{} {place:?}", term.id())
+        });
+        let free = self.free.iter().map(|function| format!("{:?} {:?}", function.seat, function.variables));
+        let mut names: Vec<String> = named.chain(free).collect();
+        names.sort_unstable();
+        names
     }
 
     /// Takes in what the residuals show; false when they show nothing more.
