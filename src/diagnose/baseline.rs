@@ -5,17 +5,14 @@ use crate::measure::observation::{Observation, SetName};
 use crate::measure::recording::Recording;
 use crate::model::arm::ArmModel;
 
-use crate::identify::estimate::{Estimate, START_PER_REACH, START_RAD};
-use crate::identify::gather::{Gathered, LeftOut, gather};
-use crate::identify::identifiability::select;
+use crate::identify::estimate::Estimate;
+use crate::identify::gather::{Gathered, LeftOut, gather, problem_of};
+use crate::identify::identifiability::selection_of;
 use crate::identify::identify::{Identified, identify};
-use crate::identify::prior::{reach_m, unknown_of, unknowns_of_station};
-use crate::identify::problem::{Problem, Record};
-use crate::identify::robust;
+use crate::identify::problem::Problem;
 use crate::identify::sanity;
-use crate::identify::state::State;
 use crate::identify::stations;
-use crate::identify::unknown::{Scope, Unknown, model_ids};
+use crate::identify::unknown::{Scope, Unknown};
 
 /// Fewest records in which anything is looked for: below, the geometry alone takes all of them.
 pub const FEWEST_RECORDS: usize = 20;
@@ -61,23 +58,8 @@ pub fn baseline<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
         stations::members_of(&grouping, 0).into_iter().map(|index| entries[index].observation).collect();
     let checked = sanity::check(&given, &reference)?;
     let placed = stations::start(&given, &entries, &grouping, &checked.placement);
-    let mut sigmas: Vec<f64> = entries.iter().filter_map(|entry| entry.observation.sigma_m).collect();
-    let stated = !sigmas.is_empty();
-    let typical = if stated { robust::median(&sigmas) } else { START_PER_REACH * reach_m(&given.robot) };
-    sigmas.clear();
-    let records = entries
-        .iter()
-        .zip(&grouping.station_of)
-        .map(|(entry, &station)| Record {
-            observation: entry.observation,
-            measured: entry.measured,
-            station,
-            sigma_m: entry.observation.sigma_m.unwrap_or(typical),
-            sigma_rad: entry.observation.sigma_rad.unwrap_or(START_RAD),
-        })
-        .collect();
-    let problem = Problem { records };
-    let unknowns = free_unknowns(&problem, &placed.state, &placed.own_frame, seed)?;
+    let (problem, stated) = problem_of(&entries, &grouping, &given.robot, None);
+    let unknowns = selection_of(&problem, &placed.state, Scope::Everything, &placed.own_frame, seed)?.free;
     let identified = identify(&problem, placed.state, &unknowns, stated)?;
     Ok(Baseline { problem, stated, unknowns, identified, left_out })
 }
@@ -90,17 +72,4 @@ fn without_silent_effects(given: &ArmModel) -> ArmModel {
     let mut keep = sounding.iter();
     model.parameters.effects.retain(|_| keep.next().copied().unwrap_or(false));
     model
-}
-
-fn free_unknowns(problem: &Problem<'_>, state: &State, own_frame: &[bool], seed: u64) -> Result<Vec<Unknown>, Refusal> {
-    let with_rotation = problem.records.iter().any(|record| record.measured.rotation.is_some());
-    let torque = problem.largest_torque_nm(state);
-    let mut unknowns: Vec<Unknown> = model_ids(&state.model, Scope::Everything, with_rotation)
-        .into_iter()
-        .map(|id| unknown_of(id, &state.model, &torque))
-        .collect();
-    let frames = model_ids(&state.model, Scope::Frames, with_rotation).len();
-    let stations = (0..own_frame.len()).filter(|&station| own_frame[station]).flat_map(unknowns_of_station);
-    unknowns.splice(frames..frames, stations.collect::<Vec<_>>());
-    Ok(select(problem, state, unknowns, seed)?.free)
 }

@@ -5,19 +5,19 @@ use crate::measure::observation::Observation;
 use crate::measure::recording::Recording;
 use crate::model::arm::ArmModel;
 
-use super::estimate::{Estimate, START_PER_REACH, START_RAD, estimate};
-use super::gather::{Entry, Gathered, LeftOut, gather};
-use super::identifiability::{Selection, select};
+use super::estimate::{Estimate, estimate};
+use super::gather::{Entry, Gathered, LeftOut, gather, problem_of};
+use super::identifiability::{Selection, selection_of};
 use super::identify::{Identified, IdentifyError, deviations, identify};
 use super::outlier::{Scene, explain};
-use super::prior::{reach_m, unknown_of, unknowns_of_station};
-use super::problem::{NoPose, Problem, Record, expected_pose};
+use super::prior::reach_m;
+use super::problem::{NoPose, Problem, expected_pose};
 use super::robust;
 use super::sanity::{self, Misread};
 use super::split::{Split, SplitSource, split};
 use super::state::State;
 use super::stations::{self, Grouping};
-use super::unknown::{Scope, Unknown, model_ids};
+use super::unknown::Scope;
 
 /// What a person may decide.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -173,12 +173,12 @@ pub fn calibrate<'a>(
     if split.identify.is_empty() {
         return Err(Refusal::NothingToIdentifyFrom);
     }
-    let (problem, sigma_stated) = problem_of(&entries, &grouping, &nominal, options);
+    let (problem, sigma_stated) = problem_of(&entries, &grouping, &nominal.robot, options.sigma_m);
 
     progress("identifying");
     let for_identification = problem.subset(&split.identify);
     let (own_frame, state) = settle_stations(&for_identification, placed, options)?;
-    let selection = selection(&for_identification, &state, Scope::Everything, &own_frame, options)?;
+    let selection = selection_of(&for_identification, &state, Scope::Everything, &own_frame, options.seed)?;
     let Identified { estimate: identified, kept, excluded } =
         identify(&for_identification, state.clone(), &selection.free, sigma_stated)?;
     check_rest(&identified, &nominal)?;
@@ -197,7 +197,7 @@ pub fn calibrate<'a>(
     let kept_problem = problem.subset(&kept);
     let mut stages = vec![StageState { name: "nominal", free: 0, trained: false, state: state.clone() }];
     for (name, scope) in [("frames", Scope::Frames), ("geometry", Scope::Geometry)] {
-        let free = self::selection(&kept_problem, &state, scope, &own_frame, options)?.free;
+        let free = selection_of(&kept_problem, &state, scope, &own_frame, options.seed)?.free;
         let fitted = estimate(kept_problem.clone(), state.clone(), &free, sigma_stated)?;
         stages.push(StageState { name, free: free.len(), trained: false, state: fitted.fit.state });
     }
@@ -234,33 +234,6 @@ pub fn calibrate<'a>(
     })
 }
 
-/// All usable records; true when their sigmas are stated.
-fn problem_of<'a>(
-    entries: &[Entry<'a>],
-    grouping: &Grouping,
-    nominal: &ArmModel,
-    options: &Options,
-) -> (Problem<'a>, bool) {
-    let mut stated: Vec<f64> = entries.iter().filter_map(|entry| entry.observation.sigma_m).collect();
-    let sigma_stated = !stated.is_empty() || options.sigma_m.is_some();
-    // Where some records state their sigma and others do not, the others are taken for typical ones.
-    let typical = if stated.is_empty() { START_PER_REACH * reach_m(&nominal.robot) } else { robust::median(&stated) };
-    stated.clear();
-    let fallback = options.sigma_m.unwrap_or(typical);
-    let records = entries
-        .iter()
-        .zip(&grouping.station_of)
-        .map(|(entry, &station)| Record {
-            observation: entry.observation,
-            measured: entry.measured,
-            station,
-            sigma_m: entry.observation.sigma_m.unwrap_or(fallback),
-            sigma_rad: entry.observation.sigma_rad.unwrap_or(START_RAD),
-        })
-        .collect();
-    (Problem { records }, sigma_stated)
-}
-
 /// Stations up to which each is tried with a frame of its own. With more, the moved one is in the minority, and a robust
 /// fit shows it.
 const MOST_TRIALS: usize = 5;
@@ -275,7 +248,7 @@ fn settle_stations(
 ) -> Result<(Vec<bool>, State), Refusal> {
     let stations::Start { state, mut own_frame } = placed;
     let robust_fit = |own_frame: &[bool]| -> Result<State, NoPose> {
-        let free = selection(problem, &state, Scope::Everything, own_frame, options)?.free;
+        let free = selection_of(problem, &state, Scope::Everything, own_frame, options.seed)?.free;
         robust::fit(problem, state.clone(), &free)
     };
     let spread = |fitted: &State| -> Result<f64, NoPose> {
@@ -303,27 +276,6 @@ fn settle_stations(
         }
     }
     Ok((own_frame, state))
-}
-
-/// What `scope` frees, stations' frames included, less what is redundant.
-fn selection(
-    problem: &Problem<'_>,
-    state: &State,
-    scope: Scope,
-    own_frame: &[bool],
-    options: &Options,
-) -> Result<Selection, NoPose> {
-    let with_rotation = problem.records.iter().any(|record| record.measured.rotation.is_some());
-    let torque = problem.largest_torque_nm(state);
-    let mut unknowns: Vec<Unknown> = model_ids(&state.model, scope, with_rotation)
-        .into_iter()
-        .map(|id| unknown_of(id, &state.model, &torque))
-        .collect();
-    // Frames first: what a row says as well as a frame is the frame's.
-    let frames = model_ids(&state.model, Scope::Frames, with_rotation).len();
-    let stations = (0..own_frame.len()).filter(|&station| own_frame[station]).flat_map(unknowns_of_station);
-    unknowns.splice(frames..frames, stations.collect::<Vec<_>>());
-    select(problem, state, unknowns, options.seed)
 }
 
 fn check_rest(identified: &Estimate<'_>, nominal: &ArmModel) -> Result<(), Refusal> {

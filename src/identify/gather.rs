@@ -4,9 +4,14 @@ use crate::measure::observation::{Measured, Observation};
 use crate::measure::recording::Recording;
 use crate::measure::repeats::copies;
 use crate::model::arm::ArmModel;
+use crate::model::robot::Robot;
 
+use super::estimate::{START_PER_REACH, START_RAD};
 use super::outlier::Reason;
-use super::problem::expected_pose;
+use super::prior::reach_m;
+use super::problem::{Problem, Record, expected_pose};
+use super::robust;
+use super::stations::Grouping;
 
 /// A record that can be fitted.
 #[derive(Clone, Copy, Debug)]
@@ -77,4 +82,28 @@ pub fn gather<'a>(model: &ArmModel, recordings: &'a [Recording]) -> Gathered<'a>
         }
     }
     gathered
+}
+/// The records as a fit takes them; true when their sigmas are stated, in them or by `sigma_m` for all that state none.
+pub fn problem_of<'a>(
+    entries: &[Entry<'a>],
+    grouping: &Grouping,
+    robot: &Robot,
+    sigma_m: Option<f64>,
+) -> (Problem<'a>, bool) {
+    let stated: Vec<f64> = entries.iter().filter_map(|entry| entry.observation.sigma_m).collect();
+    // Where some records state their sigma and others do not, the others are taken for typical ones.
+    let typical = if stated.is_empty() { START_PER_REACH * reach_m(robot) } else { robust::median(&stated) };
+    let fallback = sigma_m.unwrap_or(typical);
+    let records = entries
+        .iter()
+        .zip(&grouping.station_of)
+        .map(|(entry, &station)| Record {
+            observation: entry.observation,
+            measured: entry.measured,
+            station,
+            sigma_m: entry.observation.sigma_m.unwrap_or(fallback),
+            sigma_rad: entry.observation.sigma_rad.unwrap_or(START_RAD),
+        })
+        .collect();
+    (Problem { records }, !stated.is_empty() || sigma_m.is_some())
 }

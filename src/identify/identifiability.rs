@@ -6,9 +6,10 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::measure::observation::{Measured, Observation};
 use crate::model::robot::Robot;
 
+use super::prior::{unknown_of, unknowns_of_station};
 use super::problem::{NoPose, Problem, Record};
 use super::state::State;
-use super::unknown::{Unknown, UnknownId};
+use super::unknown::{Scope, Unknown, UnknownId, model_ids};
 use super::workspace::random_poses;
 
 /// An unknown that cannot be told from others, whatever pose the arm takes.
@@ -70,6 +71,30 @@ pub fn select(problem: &Problem<'_>, state: &State, unknowns: Vec<Unknown>, seed
     records.extend(problem.records.iter().take(POSES).map(|record| Record { sigma_m: 1.0, sigma_rad: 1.0, ..*record }));
     let jacobian = Problem { records }.jacobian(state, &unknowns)?;
     Ok(sort_out(&jacobian, unknowns))
+}
+
+/// What `scope` frees, stations' frames included, less what is redundant.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place the records.
+pub fn selection_of(
+    problem: &Problem<'_>,
+    state: &State,
+    scope: Scope,
+    own_frame: &[bool],
+    seed: u64,
+) -> Result<Selection, NoPose> {
+    let with_rotation = problem.records.iter().any(|record| record.measured.rotation.is_some());
+    let torque = problem.largest_torque_nm(state);
+    let mut unknowns: Vec<Unknown> = model_ids(&state.model, scope, with_rotation)
+        .into_iter()
+        .map(|id| unknown_of(id, &state.model, &torque))
+        .collect();
+    // Frames first: what a row says as well as a frame is the frame's.
+    let frames = model_ids(&state.model, Scope::Frames, with_rotation).len();
+    let stations = (0..own_frame.len()).filter(|&station| own_frame[station]).flat_map(unknowns_of_station);
+    unknowns.splice(frames..frames, stations.collect::<Vec<_>>());
+    select(problem, state, unknowns, seed)
 }
 
 fn poses_in_range(robot: &Robot, problem: &Problem<'_>, seed: u64) -> Vec<Observation> {

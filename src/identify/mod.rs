@@ -35,3 +35,4 @@ pub mod summary;
 pub mod unknown;
 pub mod validate;
 pub mod workspace;
+pub mod written;

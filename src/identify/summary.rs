@@ -3,13 +3,12 @@
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::base::units::{deg_from_rad, mm_from_m};
-use crate::files::calibration::{Calibration, Provenance, RecordingProvenance, Region, StationFrame};
+use crate::files::calibration::Calibration;
 use crate::geometry::pose::vector_from_rotation;
 use crate::measure::recording::{ApproachSource, Kind, Recording};
 use crate::model::effect::JOINT_COMPLIANCE;
 use crate::model::parameters::ParameterId;
 use crate::model::robot::DOF;
-use crate::model::uncertainty::Uncertainty;
 
 use super::calibrate::Outcome;
 use super::identifiability::{Identifiability, judge};
@@ -21,6 +20,7 @@ use super::robust::lengths_of;
 use super::split::SplitSource;
 use super::state::State;
 use super::unknown::UnknownId;
+use super::written::{region, written};
 
 /// Standard uncertainty after over before from which a number counts as not told by the recording.
 const UNDETERMINED: f64 = 0.7;
@@ -31,8 +31,8 @@ const UNDETERMINED: f64 = 0.7;
 /// [`NoPose`] when a fitted model cannot place a record, which its own fit has excluded.
 pub fn summarise(outcome: &Outcome<'_>, recordings: &[Recording]) -> Result<(Calibration, Report), NoPose> {
     let left = left(outcome)?;
-    let calibration = calibration(outcome, recordings, &left);
     let delivered = &outcome.delivered;
+    let calibration = written(delivered, &outcome.own_frame, left.noise_sigma_m, left.unexplained_sigma_m, recordings);
     let fit = &delivered.fit;
     let judged = judge(
         &fit.whitened_jacobian,
@@ -113,66 +113,6 @@ pub fn summarise(outcome: &Outcome<'_>, recordings: &[Recording]) -> Result<(Cal
         residuals: residuals(outcome)?,
     };
     Ok((calibration, report))
-}
-
-fn calibration(outcome: &Outcome<'_>, recordings: &[Recording], left: &Left) -> Calibration {
-    let fit = &outcome.delivered.fit;
-    let of_model: Vec<(usize, ParameterId)> = fit
-        .unknowns
-        .iter()
-        .enumerate()
-        .filter_map(|(index, unknown)| match unknown.id {
-            UnknownId::Model(id) => Some((index, id)),
-            UnknownId::Station { .. } => None,
-        })
-        .collect();
-    let rows: Vec<usize> = of_model.iter().map(|(index, _)| *index).collect();
-    let root = fit.covariance_root.select_rows(&rows);
-    let uncertainty = Uncertainty {
-        ids: of_model.iter().map(|(_, id)| *id).collect(),
-        covariance: &root * root.transpose(),
-        freedom: outcome.delivered.spread.freedom,
-        noise_sigma_m: left.noise_sigma_m,
-        unexplained_sigma_m: left.unexplained_sigma_m,
-    };
-    let stations = fit
-        .state
-        .stations
-        .iter()
-        .zip(&outcome.own_frame)
-        .filter(|(_, own)| **own)
-        .filter_map(|(station, _)| {
-            Some(StationFrame { name: station.name.clone()?, station_t_measuring: station.pose() })
-        })
-        .collect();
-    let provenance = Provenance {
-        written_by: concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION")).into(),
-        recordings: recordings
-            .iter()
-            .enumerate()
-            .map(|(index, recording)| RecordingProvenance {
-                name: recording.name.clone(),
-                sha256: recording.sha256.clone(),
-                records: recording.observations.len(),
-                used: outcome.fitted.iter().filter(|&&fitted| outcome.entries[fitted].recording == index).count(),
-            })
-            .collect(),
-        note: None,
-    };
-    Calibration {
-        arm: fit.state.model.clone(),
-        sigma: Vec::new(),
-        uncertainty: Some(uncertainty),
-        stations,
-        region: region(outcome),
-        provenance: Some(provenance),
-    }
-}
-
-/// The box of joint numbers of the fitted records.
-fn region(outcome: &Outcome<'_>) -> Option<Region> {
-    let numbers = outcome.fitted.iter().map(|&index| &outcome.entries[index].observation.numbers_rad);
-    Region::covering(numbers)
 }
 
 fn recording_report(outcome: &Outcome<'_>, recording: &Recording, index: usize) -> RecordingReport {
@@ -330,7 +270,7 @@ fn notes(outcome: &Outcome<'_>, recordings: &[Recording], left: &Left, judged: &
 const STILL_RAD: f64 = 0.1;
 
 fn still_joints(outcome: &Outcome<'_>) -> Vec<String> {
-    let Some(region) = region(outcome) else { return Vec::new() };
+    let Some(region) = region(&outcome.delivered) else { return Vec::new() };
     (0..DOF)
         .filter(|&joint| region.max_rad[joint] - region.min_rad[joint] < STILL_RAD)
         .map(|joint| {

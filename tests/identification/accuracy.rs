@@ -1,16 +1,8 @@
 //! What the whole pipeline reaches on the recordings on the shelf, on the records that it never saw.
 
-use falsetarget::files::calibration::Calibration;
-use falsetarget::identify::predict::predict;
-use falsetarget::identify::report::{Figures, Report};
-use falsetarget::measure::observation::Observation;
+use falsetarget::identify::report::Report;
 
-use crate::shelf::{by_the_paper, calibrated, learned, recording_of, robot_of};
-
-fn validation(report: &Report, stage: &str) -> Figures {
-    let stage = report.stages.iter().find(|one| one.name == stage).unwrap_or_else(|| panic!("no stage {stage}"));
-    stage.validate.expect("validation figures")
-}
+use crate::shelf::{by_the_paper, calibrated, learned, missed_mm, recording_of, robot_of, validation};
 
 fn learned_report(folder: &str, file: &str) -> Report {
     learned(&robot_of(folder), &[recording_of(folder, file)]).1
@@ -42,19 +34,6 @@ fn a_real_ur5_reaches_the_best_that_is_known() {
 fn a_real_ur10_reaches_the_best_that_is_known() {
     let learner = validation(&learned_report("ur10", "series-d.csv"), "learner");
     assert!(learner.mean_mm <= 0.100 && learner.rms_mm <= 0.114 && learner.max_mm <= 0.33, "{learner:?}");
-}
-
-/// RMS distance of the predictions from the true points of the hold-out, mm.
-fn missed_mm(model: &Calibration, folder: &str) -> f64 {
-    let truth = recording_of(folder, "holdout_truth.csv");
-    let observations: Vec<&Observation> = truth.observations.iter().collect();
-    let predicted = predict(&model.arm, model.uncertainty.as_ref(), &observations).expect("placeable");
-    let square: f64 = predicted
-        .iter()
-        .zip(&observations)
-        .map(|(predicted, record)| (predicted.position_m - record.measured.unwrap().position_m).norm_squared())
-        .sum();
-    1e3 * (square / observations.len() as f64).sqrt()
 }
 
 #[test]

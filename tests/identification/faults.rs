@@ -2,7 +2,6 @@
 
 use falsetarget::files::calibration::Calibration;
 use falsetarget::identify::calibrate::Refusal;
-use falsetarget::identify::predict::predict;
 use falsetarget::identify::report::Report;
 use falsetarget::measure::observation::Observation;
 use falsetarget::measure::recording::Recording;
@@ -10,7 +9,7 @@ use nalgebra::Vector3;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::shelf::{calibrated, recording_of, robot_of};
+use crate::shelf::{calibrated, missed_mm, recording_of, robot_of};
 
 const SIGMA_MM: f64 = 0.04;
 
@@ -33,15 +32,7 @@ fn move_point(record: &mut Observation, by: impl FnOnce(&mut Vector3<f64>)) {
 
 /// RMS distance of predictions from the truth, mm.
 fn held_out_mm(model: &Calibration) -> f64 {
-    let truth = recording_of("null-a", "holdout_truth.csv");
-    let observations: Vec<&Observation> = truth.observations.iter().collect();
-    let predicted = predict(&model.arm, None, &observations).expect("placeable");
-    let square: f64 = predicted
-        .iter()
-        .zip(&observations)
-        .map(|(predicted, record)| (predicted.position_m - record.measured.unwrap().position_m).norm_squared())
-        .sum();
-    (square / observations.len() as f64).sqrt() * 1e3
+    missed_mm(model, "null-a")
 }
 
 #[test]

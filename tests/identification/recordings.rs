@@ -1,21 +1,14 @@
 //! The recordings on the shelf: figures as good as those that are known for them.
 
-use falsetarget::identify::predict::predict;
-use falsetarget::identify::report::{Figures, Report};
-use falsetarget::measure::observation::Observation;
+use falsetarget::identify::report::Report;
 
 use falsetarget::geometry::pose::{rotation_from_vector, vector_from_rotation};
 use nalgebra::{Matrix3, Vector3};
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-use crate::shelf::{calibrated, recording_of, robot_of};
+use crate::shelf::{calibrated, missed_mm, recording_of, robot_of, validation};
 use crate::simulator::{VirtualArm, poses, record};
-
-fn validation(report: &Report, stage: &str) -> Figures {
-    let stage = report.stages.iter().find(|one| one.name == stage).unwrap_or_else(|| panic!("no stage {stage}"));
-    stage.validate.expect("validation figures")
-}
 
 fn report_of(folder: &str, file: &str) -> Report {
     calibrated(&robot_of(folder), &[recording_of(folder, file)]).expect("a model").1
@@ -26,15 +19,7 @@ fn where_nothing_is_missing_the_truth_is_met_to_0_6_sigma() {
     for (folder, sigma_mm) in [("null-a", 0.04), ("null-b", 0.06), ("null-c", 0.02)] {
         let recording = recording_of(folder, "recording.csv");
         let (model, report) = calibrated(&robot_of(folder), &[recording]).expect("a model");
-        let truth = recording_of(folder, "holdout_truth.csv");
-        let observations: Vec<&Observation> = truth.observations.iter().collect();
-        let predicted = predict(&model.arm, model.uncertainty.as_ref(), &observations).expect("placeable");
-        let square: f64 = predicted
-            .iter()
-            .zip(&observations)
-            .map(|(predicted, record)| (predicted.position_m - record.measured.unwrap().position_m).norm_squared())
-            .sum();
-        let rms_mm = (square / observations.len() as f64).sqrt() * 1e3;
+        let rms_mm = missed_mm(&model, folder);
         assert!(rms_mm <= 0.6 * sigma_mm, "{folder}: {rms_mm} mm with noise of {sigma_mm} mm");
         assert!((report.rest.noise_sigma_mm / sigma_mm - 1.0).abs() < 0.1, "{folder}: {:?}", report.rest);
         assert_eq!(report.rest.unexplained_sigma_mm, 0.0, "{folder}");

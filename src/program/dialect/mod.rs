@@ -7,6 +7,7 @@ use super::target::Program;
 use super::ties::Ties;
 
 mod aptcl;
+mod brackets;
 mod csv;
 mod denso;
 mod drl;

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::base::text::{Source, Span};
+use crate::program::dialect::brackets;
 use crate::program::number::{Insertion, NumberField, number_at, starts_with_word};
 use crate::program::scan::Cursor;
 use crate::program::target::{CartesianNumbers, JointNumbers, Units};
@@ -37,6 +38,12 @@ pub(in super::super) enum Kind {
     Text,
     /// Any other byte.
     Symbol(u8),
+}
+
+impl Kind {
+    fn symbol(self) -> Option<u8> {
+        if let Kind::Symbol(byte) = self { Some(byte) } else { None }
+    }
 }
 
 /// A token and its bytes.
@@ -205,27 +212,13 @@ impl<'a> Text<'a> {
     /// Divides what stands between two brackets at commas outside of inner brackets; empty parts count. `open` is the
     /// first bracket. Gives the parts and the token of the closing bracket.
     pub fn parts(&self, open: usize, end: usize) -> Option<(Vec<Range<usize>>, usize)> {
-        let (mut depth, mut start, mut parts) = (0_usize, open + 1, Vec::new());
-        for at in open..end.min(self.tokens.len()) {
-            match self.tokens[at].kind {
-                Kind::Symbol(b'(' | b'[' | b'{') => depth += 1,
-                Kind::Symbol(b')' | b']' | b'}') => {
-                    depth = depth.checked_sub(1)?;
-                    if depth == 0 {
-                        if start < at || !parts.is_empty() {
-                            parts.push(start..at);
-                        }
-                        return Some((parts, at));
-                    }
-                }
-                Kind::Symbol(b',') if depth == 1 => {
-                    parts.push(start..at);
-                    start = at + 1;
-                }
-                _ => {}
-            }
+        let symbols = (open..end.min(self.tokens.len())).map(|at| (at, self.tokens[at].kind.symbol()));
+        let (mut parts, close) = brackets::parts(open, symbols)?;
+        // `()` holds nothing; in `(,)` two parts were left out.
+        if matches!(parts.as_slice(), [only] if only.is_empty()) {
+            parts.clear();
         }
-        None
+        Some((parts, close))
     }
 
     /// The names in a range that a bracket follows, outside of all brackets.

@@ -1,6 +1,7 @@
 //! URScript as tokens: names, numbers, strings, symbols, line ends.
 
 use crate::base::text::{Source, Span};
+use crate::program::dialect::brackets;
 use crate::program::number::number_at;
 use crate::program::scan::Cursor;
 
@@ -17,6 +18,12 @@ pub(super) enum Kind {
     Symbol(u8),
     /// The end of a line.
     LineEnd,
+}
+
+impl Kind {
+    fn symbol(self) -> Option<u8> {
+        if let Kind::Symbol(byte) = self { Some(byte) } else { None }
+    }
 }
 
 /// A token and its bytes.
@@ -110,27 +117,8 @@ impl<'a> Text<'a> {
     /// Divides what stands between two brackets at commas outside of inner brackets. `open` is the first bracket.
     /// Gives the parts and the token of the closing bracket.
     pub fn parts(&self, open: usize, end: usize) -> Option<(Vec<std::ops::Range<usize>>, usize)> {
-        let (mut depth, mut start, mut parts) = (0_usize, open + 1, Vec::new());
-        for at in open..end.min(self.tokens.len()) {
-            match self.tokens[at].kind {
-                Kind::Symbol(b'(' | b'[' | b'{') => depth += 1,
-                Kind::Symbol(b')' | b']' | b'}') => {
-                    depth = depth.checked_sub(1)?;
-                    if depth == 0 {
-                        if start < at {
-                            parts.push(start..at);
-                        }
-                        return Some((parts, at));
-                    }
-                }
-                Kind::Symbol(b',') if depth == 1 => {
-                    parts.push(start..at);
-                    start = at + 1;
-                }
-                _ => {}
-            }
-        }
-        None
+        let symbols = (open..end.min(self.tokens.len())).map(|at| (at, self.tokens[at].kind.symbol()));
+        brackets::parts_without_empty_last(open, symbols)
     }
 
     /// The names in a statement that a bracket follows, outside of all brackets.

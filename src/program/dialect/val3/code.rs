@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::base::text::{Source, Span};
+use crate::program::dialect::brackets;
 use crate::program::number::number_at;
 use crate::program::scan::Cursor;
 
@@ -22,6 +23,12 @@ pub(super) enum Kind {
     Symbol(u8),
     /// The end of a line.
     LineEnd,
+}
+
+impl Kind {
+    fn symbol(self) -> Option<u8> {
+        if let Kind::Symbol(byte) = self { Some(byte) } else { None }
+    }
 }
 
 /// The code of one program.
@@ -129,28 +136,9 @@ impl<'a> Text<'a> {
     /// The parts between a bracket and the one that closes it, divided at commas, and the closing one. A line end closes
     /// nothing: a statement stands in one line.
     pub fn parts(&self, open: usize) -> Option<(Vec<Range<usize>>, usize)> {
-        let (mut depth, mut start, mut parts) = (0_usize, open + 1, Vec::new());
-        for (at, (kind, _)) in self.tokens.iter().enumerate().skip(open).take(LONGEST_CALL) {
-            match kind {
-                Kind::Symbol(b'(' | b'[' | b'{') => depth += 1,
-                Kind::Symbol(b')' | b']' | b'}') => {
-                    depth = depth.checked_sub(1)?;
-                    if depth == 0 {
-                        if start < at {
-                            parts.push(start..at);
-                        }
-                        return Some((parts, at));
-                    }
-                }
-                Kind::Symbol(b',') if depth == 1 => {
-                    parts.push(start..at);
-                    start = at + 1;
-                }
-                Kind::LineEnd => return None,
-                _ => {}
-            }
-        }
-        None
+        let symbols = self.tokens.iter().enumerate().skip(open).take(LONGEST_CALL).map(|(at, (kind, _))| (at, *kind));
+        let symbols = symbols.take_while(|(_, kind)| *kind != Kind::LineEnd).map(|(at, kind)| (at, kind.symbol()));
+        brackets::parts_without_empty_last(open, symbols)
     }
 
     /// `name`, `name[2]`, `name["home"]`, `name[n]` at a token.
