@@ -50,6 +50,7 @@ fn ground<'a>(outcome: &Outcome<'a>, records: &[usize]) -> Ground<'a> {
         stated: outcome.sigma_stated,
         state: outcome.last_state().clone(),
         unknowns: outcome.delivered.fit.unknowns.clone(),
+        ripple: None,
     }
 }
 

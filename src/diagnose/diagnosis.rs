@@ -11,7 +11,7 @@ use crate::identify::report::Figures;
 use crate::identify::robust;
 use crate::measure::recording::{Kind, Recording};
 use crate::model::arm::{ArmModel, EffectInstance};
-use crate::model::effect::Location;
+use crate::model::effect::{Location, by_id};
 
 use super::baseline::baseline;
 use super::evidence;
@@ -20,6 +20,7 @@ use super::free::{FreeFunction, Seat};
 use super::hold_out::{Blocks, held_out_squares_m2, rms_mm};
 use super::left_over::left_over;
 use super::regressors::Regressors;
+use super::ripple::{JointRipple, with_curves};
 use super::search::{Found, search_from};
 
 /// The answer in a word.
@@ -141,8 +142,13 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
             stated: base.stated,
             state: base.estimate().fit.state.clone(),
             unknowns: base.unknowns.clone(),
+            ripple: None,
         };
-        let found = search_from(&ground, bare.clone(), kind, seed)?;
+        let lines = search_from(&ground, bare.clone(), kind, seed)?;
+        let found = match with_curves(&ground, &lines, kind, seed)? {
+            Some(curves) => curves,
+            None => lines,
+        };
         let again = still_good(&base.problem, &found.fitted.estimate, &kept)?;
         if again == kept || round == ROUNDS {
             break found;
@@ -160,6 +166,7 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     let after_squares = held_out_m2(&found.fitted, &found.blocks, None);
     let after = errors(&found.fitted.estimate, rms_mm(&after_squares));
     let mut findings = findings(&found, after.held_out_rms_mm);
+    findings.extend(curves(&found, after.held_out_rms_mm));
     findings.sort_by(|a, b| b.share.total_cmp(&a.share));
     let unexplained = unexplained(&found)?;
     let verdict = match (findings.is_empty(), &unexplained) {
@@ -237,6 +244,30 @@ fn findings(found: &Found<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
             }
         })
         .collect()
+}
+
+/// The curves of joints as findings: each by its strongest line.
+fn curves(found: &Found<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
+    let fitted = &found.fitted;
+    let Some(effect) = by_id("joint_periodic") else { return Vec::new() };
+    let sigma_m = fitted.estimate.spread.sigma_m;
+    let finding = |one: &JointRipple| {
+        let (explained, evidence, projection) = one.gain(fitted);
+        let squares = held_out_squares_m2(&fitted.estimate.problem, &found.blocks, &projection);
+        let value = |name, [value, sigma]: [f64; 2]| Value { name, unit: "rad", value, sigma };
+        Finding {
+            instance: EffectInstance {
+                effect,
+                location: Location { order: Some(one.line.order), ..Location::at_joint(one.joint) },
+            },
+            values: vec![value("amplitude", one.line.amplitude_rad), value("rms_of_all_orders", one.rms_rad)],
+            held_out_rms_mm: [rms_mm(&squares), held_out_rms_mm],
+            p_value: evidence::p_value_of_evidence(evidence),
+            share: (explained * sigma_m.powi(2) / found.bare_m2.max(f64::MIN_POSITIVE)).min(1.0),
+            alternatives: Vec::new(),
+        }
+    };
+    fitted.ripple.iter().flat_map(|ripple| &ripple.joints).map(finding).collect()
 }
 
 fn named_values(instances: &[EffectInstance], values: &DVector<f64>, sigmas: &DVector<f64>) -> Vec<Value> {

@@ -48,6 +48,12 @@ pub fn p_value(explained: f64, rank: usize, cost: f64, freedom: f64, looked_at: 
     (tail * looked_at).clamp(0.0, 1.0)
 }
 
+/// Bound on the probability of evidence at least as strong where nothing is there: the likelihood ratio of nothing against
+/// something that the evidence stands for (everything that was looked at counted in it).
+pub fn p_value_of_evidence(evidence: f64) -> f64 {
+    (0.5 * evidence).exp().min(1.0)
+}
+
 /// Standard uncertainties by which a value may lie beyond what physics makes believable.
 const BEYOND_SIGMAS: f64 = 2.5;
 

@@ -1,6 +1,7 @@
 //! A hypothesis fitted: the model as given plus named causes, all refitted together.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -17,6 +18,7 @@ use crate::model::parameters::ParameterId;
 use super::candidate::Candidate;
 use super::projection::Projection;
 use super::regressors::{extend, side_by_side};
+use super::ripple::{FreeNumbers, Ripple};
 
 /// What does not change during a search.
 #[derive(Clone, Debug)]
@@ -29,6 +31,8 @@ pub struct Ground<'a> {
     pub state: State,
     /// What is free in it.
     pub unknowns: Vec<Unknown>,
+    /// The curves that its state holds, if any.
+    pub ripple: Option<Arc<Ripple>>,
 }
 
 /// Named causes fitted together with everything that was free before.
@@ -40,6 +44,8 @@ pub struct Fitted<'a> {
     pub terms: Vec<Candidate>,
     /// Columns of each in the fit's unknowns.
     pub spans: Vec<Range<usize>>,
+    /// The curves that its state holds, if any.
+    pub ripple: Option<Arc<Ripple>>,
 }
 
 impl<'a> Ground<'a> {
@@ -50,7 +56,7 @@ impl<'a> Ground<'a> {
     pub fn fit(&self, terms: &[Candidate]) -> Result<Fitted<'a>, NoPose> {
         let (state, unknowns, spans) = self.with(terms);
         let estimate = estimate(self.problem.clone(), state, &unknowns, self.stated)?;
-        Ok(Fitted { estimate, terms: terms.to_vec(), spans })
+        Ok(Fitted { estimate, terms: terms.to_vec(), spans, ripple: self.ripple.clone() })
     }
 
     /// Fits these causes, the noise level with them, from where another fit stands.
@@ -74,7 +80,7 @@ impl<'a> Ground<'a> {
         if !self.stated {
             estimate.scale *= from.estimate.scale;
         }
-        Ok(Fitted { estimate, terms: terms.to_vec(), spans })
+        Ok(Fitted { estimate, terms: terms.to_vec(), spans, ripple: self.ripple.clone() })
     }
 
     /// The records with the noise level that another fit has found.
@@ -181,7 +187,7 @@ fn wide(usual: Prior, id: ParameterId, state: &State) -> Prior {
 impl<'a> Fitted<'a> {
     /// A fit without any cause.
     pub fn bare(estimate: Estimate<'a>) -> Self {
-        Self { estimate, terms: Vec::new(), spans: Vec::new() }
+        Self { estimate, terms: Vec::new(), spans: Vec::new(), ripple: None }
     }
 }
 
@@ -192,7 +198,7 @@ impl Fitted<'_> {
     }
 
     /// The fit's columns without those of a term, and the residuals that taking it out leaves (to first order).
-    fn without(&self, term: Option<usize>) -> (DMatrix<f64>, Vec<f64>, Vec<f64>, DVector<f64>) {
+    fn without(&self, term: Option<usize>) -> (FreeNumbers, DVector<f64>) {
         let fit = &self.estimate.fit;
         let span = term.and_then(|term| self.spans.get(term).cloned()).unwrap_or(0..0);
         let kept: Vec<usize> = (0..fit.unknowns.len()).filter(|index| !span.contains(index)).collect();
@@ -209,13 +215,27 @@ impl Fitted<'_> {
                 (fit.state.get(unknown.id).unwrap_or(0.0) - unknown.prior.mean) / unknown.prior.sigma
             })
             .collect();
-        (fit.whitened_jacobian.select_columns(&kept), sigmas, deviations, residuals)
+        (FreeNumbers { columns: fit.whitened_jacobian.select_columns(&kept), sigmas, deviations }, residuals)
     }
 
     /// What is left when everything free is projected out: all, or all but a term.
     pub fn projection(&self, without: Option<usize>) -> Projection {
-        let (columns, sigmas, deviations, residuals) = self.without(without);
-        Projection::new(&columns, &sigmas, &residuals, &deviations)
+        let (mut free, residuals) = self.without(without);
+        if let Some(ripple) = &self.ripple {
+            ripple.add_to(&mut free, &self.estimate.problem.whitening(), None);
+        }
+        Projection::new(&free.columns, &free.sigmas, &residuals, &free.deviations)
+    }
+
+    /// The same with the curve of one joint taken out, which moved the coordinates by `said_m`.
+    pub fn projection_without_ripple_of(&self, joint: usize, said_m: &DVector<f64>) -> Projection {
+        let whitening = self.estimate.problem.whitening();
+        let (mut free, residuals) = self.without(None);
+        if let Some(ripple) = &self.ripple {
+            ripple.add_to(&mut free, &whitening, Some(joint));
+        }
+        let residuals = residuals - said_m.component_mul(&whitening);
+        Projection::new(&free.columns, &free.sigmas, &residuals, &free.deviations)
     }
 
     /// The columns of a term.

@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use crate::model::effect::{Location, MovingFrame};
 use crate::model::robot::DOF;
 
 use super::regressors::Regressors;
@@ -93,6 +94,22 @@ pub fn free_functions(regressors: &Regressors<'_, '_>) -> Vec<FreeFunction> {
 }
 
 impl FreeFunction {
+    /// True when a named effect at this place is by its definition a function of this kind: only the law is another, and laws
+    /// are never exact.
+    pub fn is_what_means(&self, id: &str, at: &Location) -> bool {
+        match (self.seat, &self.variables[..]) {
+            (Seat::Joint(joint), &[Variable::Torque(own)]) if own == joint => {
+                id == "joint_stiffening" && at.joint_index() == Some(joint)
+            }
+            (Seat::Joint(joint), &[Variable::Speed(own)]) if own == joint => {
+                id == "servo_lag" && at.joint_index() == Some(joint)
+            }
+            (Seat::Base, [Variable::Time]) => id == "drift" && at.frame == Some(MovingFrame::Base),
+            (Seat::Tool, [Variable::Time]) => id == "drift" && at.frame == Some(MovingFrame::Tool),
+            _ => false,
+        }
+    }
+
     /// Whitened columns: the levers of the seat times Legendre polynomials of the variables over their range, each the
     /// smaller the higher its degree, as smooth functions have it.
     pub fn columns(&self, regressors: &Regressors<'_, '_>) -> DMatrix<f64> {

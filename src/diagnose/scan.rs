@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use crate::model::arm::EffectInstance;
-use crate::model::effect::{EFFECTS, Effect, Location, Place};
+use crate::model::effect::{EFFECTS, Effect, Location, MovingFrame, Place};
 use crate::model::robot::DOF;
 
 use super::candidate::{Candidate, FRAMES, is_told, with_companion};
@@ -39,11 +39,16 @@ const NARROWINGS: usize = 12;
 const TURNING_TORQUES: [(&str, f64, f64, f64); 2] =
     [("backlash", 0.005, 0.8, 1.15), ("joint_stiffening", 0.05, 3.0, 1.3)];
 
+/// Times in which a drift may level off, in parts of the recording's duration: the shortest, the longest (nearly steady), and
+/// the factor between two of them.
+const LEVELLING: (f64, f64, f64) = (0.05, 2.0, 1.4);
+
 /// The best candidate of each kind and joint or frame whose constant is searched for.
 pub fn searched(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Candidate> {
     let mut all = orders(regressors, projection);
     all.extend(turning_torques(regressors, projection));
     all.extend(moments(regressors, projection));
+    all.extend(FRAMES.iter().filter_map(|&frame| levelling_drift(frame, regressors, projection)));
     all
 }
 
@@ -57,6 +62,7 @@ pub fn tuned(candidate: &Candidate, regressors: &Regressors<'_, '_>, projection:
             let (_, low, high, factor) = TURNING_TORQUES.into_iter().find(|known| known.0 == candidate.id())?;
             best_turning_torque(effect, joint?, (low, high, factor), regressors, projection)
         }
+        Place::Frame => levelling_drift(location.frame?, regressors, projection),
         Place::FrameMoment => moments_of(effect, regressors, projection)
             .into_iter()
             .find(|found| found.location().frame == location.frame),
@@ -248,6 +254,29 @@ fn moments_of(effect: &'static dyn Effect, regressors: &Regressors<'_, '_>, proj
         found.push(Candidate { instances: vec![instance(between[best])], places, chosen_constants: 0 });
     }
     found
+}
+
+/// A drift of a frame that levels off, in the time that suits the records best.
+fn levelling_drift(frame: MovingFrame, regressors: &Regressors<'_, '_>, projection: &Projection) -> Option<Candidate> {
+    let effect = of_place(Place::Frame)?;
+    let whole_s = range(&values(regressors, Variable::Time));
+    if whole_s <= 0.0 || !is_told(effect, regressors.model(), regressors.problem) {
+        return None;
+    }
+    let instance = |part: f64| EffectInstance {
+        effect,
+        location: Location { frame: Some(frame), reference: Some(part * whole_s), ..Location::default() },
+    };
+    let explained = |part: f64| projection.gain(&regressors.through(&instance(part))).explained;
+    let (shortest, longest, factor) = LEVELLING;
+    let count = ((longest / shortest).ln() / factor.ln()).ceil() as i32;
+    let (best, _) = (0..=count)
+        .into_par_iter()
+        .map(|step| shortest * factor.powi(step))
+        .map(|part| (part, explained(part)))
+        .max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let part = narrowed(best / factor, best * factor, explained);
+    Some(Candidate { instances: vec![instance(part)], places: FRAMES.len() as f64, chosen_constants: 1 })
 }
 
 /// The effect of the registry whose place has constants to be searched.

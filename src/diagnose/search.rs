@@ -18,13 +18,15 @@ use super::rank::{Cause, Ranked, Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
 use super::review::{Review, review};
 use super::scan;
+use super::simplify::simplify;
+use super::story::names_tell_it;
 
 /// Rounds of taking in and refitting.
 const MOST_ROUNDS: usize = 40;
 /// Causes that one diagnosis finds at most.
 const MOST_CAUSES: usize = 24;
 /// Records that are searched at most: what shows in these is decided, and motion sampled quicker repeats itself.
-const MOST_SEARCHED: usize = 800;
+pub const MOST_SEARCHED: usize = 800;
 /// Suspects tried in one round before giving up.
 const TRIES: usize = 6;
 /// Suspects whose full nonlinear fits are compared.
@@ -33,6 +35,8 @@ const CONTENDERS: usize = 3;
 const MOST_EXCHANGES: usize = 4;
 /// By how much a cause without a name must explain more than the best one with a name.
 pub const CLEARLY_MORE: f64 = 1.15;
+/// Part of what a nameless function explains that a name of the same meaning must explain to be told instead.
+const MOSTLY: f64 = 0.6;
 /// Differences of evidence between full fits that count as none.
 const EQUAL: f64 = 0.05;
 /// A cause that takes away more than this part of what is left moves everything else: the rest is looked at again only
@@ -46,7 +50,11 @@ const HOPELESS: f64 = 15.0;
 /// A constant of a place is changed when the whole fit gains this much by it, on the scale of [`evidence::penalised`].
 const BETTER_CONSTANT: f64 = 2.0;
 
+/// Says with which of some names a story begins that makes a nameless function needless: see [`names_tell_it`].
+type NamesTell<'s> = dyn Fn(&Ranked<'_>, &[&Ranked<'_>]) -> Option<usize> + 's;
+
 /// What a search has found.
+#[derive(Clone)]
 pub struct Found<'a> {
     /// The named causes with the fit.
     pub fitted: Fitted<'a>,
@@ -82,7 +90,11 @@ pub fn search_from<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: 
     Ok(found)
 }
 
-fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u64) -> Result<Found<'a>, NoPose> {
+/// Looks for what is missing in all records of a ground.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u64) -> Result<Found<'a>, NoPose> {
     let blocks = Blocks::new(&ground.problem, kind, seed);
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let bare_m2 = bare.estimate.fit.cost * bare.estimate.spread.sigma_m.powi(2);
@@ -100,6 +112,7 @@ fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u64) -
             }
             seen.push(now);
         }
+        simplify(&mut found, ground)?;
         found.reviews = review(&found)?;
         if exchanges == MOST_EXCHANGES || !found.exchange_one(ground)? {
             return Ok(found);
@@ -149,7 +162,13 @@ impl<'a> Found<'a> {
             };
             all.retain(|suspect| taken(&suspect));
             all.extend(standing.iter().filter(taken).cloned());
-            let Some((suspect, part)) = self.next(ground, &all, &projection, named.is_empty(), random) else { break };
+            let names_tell = |function: &Ranked<'_>, named: &[&Ranked<'_>]| {
+                names_tell_it(function, named, &standing, &regressors, &projection)
+            };
+            let Some((suspect, part)) = self.next(ground, &all, &projection, (named.is_empty(), &names_tell), random)
+            else {
+                break;
+            };
             match suspect.cause {
                 Cause::Free(function) => self.free.push(function),
                 Cause::Named(candidate) => {
@@ -179,7 +198,7 @@ impl<'a> Found<'a> {
         ground: &Ground<'a>,
         all: &[Suspect],
         projection: &Projection,
-        fresh: bool,
+        (fresh, names_tell): (bool, &NamesTell<'_>),
         random: &mut ChaCha8Rng,
     ) -> Option<(Suspect, f64)> {
         let ranked = rank(all, projection);
@@ -187,17 +206,33 @@ impl<'a> Found<'a> {
         let named = named_m2.max(0.0) / self.fitted.estimate.spread.sigma_m.powi(2);
         let least = (SMALLEST_PART * projection.cost).max(LAW_ERROR * named);
         let sound = |ranked: &&Ranked<'_>| ranked.evidence < -DECIDES && ranked.gain.explained > least;
-        let named = ranked.iter().filter(sound).filter(|ranked| ranked.suspect.candidate().is_some());
-        let best_named = named.map(|ranked| ranked.gain.explained).fold(0.0, f64::max);
-        let worth: Vec<&Ranked<'_>> = ranked
+        let named: Vec<&Ranked<'_>> =
+            ranked.iter().filter(sound).filter(|ranked| ranked.suspect.candidate().is_some()).collect();
+        let best_named = named.iter().map(|ranked| ranked.gain.explained).fold(0.0, f64::max);
+        // A name whose law is only nearly right is still the name of what is by definition the same.
+        let has_a_name = |function: &FreeFunction, explained: f64| {
+            let mut candidates = named.iter().filter_map(|ranked| Some((ranked.suspect.candidate()?, ranked)));
+            candidates.any(|(candidate, ranked)| {
+                function.is_what_means(candidate.id(), candidate.location())
+                    && ranked.gain.explained > MOSTLY * explained
+            })
+        };
+        let mut worth: Vec<&Ranked<'_>> = ranked
             .iter()
             .filter(sound)
             .filter(|ranked| match &ranked.suspect.cause {
-                Cause::Free(function) => ranked.gain.explained > CLEARLY_MORE * best_named.max(self.named_at(function)),
+                Cause::Free(function) => {
+                    ranked.gain.explained > CLEARLY_MORE * best_named.max(self.named_at(function))
+                        && !has_a_name(function, ranked.gain.explained)
+                }
                 Cause::Named(_) => true,
             })
             .take(TRIES)
             .collect();
+        let nameless = |ranked: &&Ranked<'_>| ranked.suspect.candidate().is_none();
+        if let Some(first) = worth.first().copied().filter(nameless).and_then(|function| names_tell(function, &named)) {
+            worth = vec![named[first]];
+        }
         let mut refused: Vec<usize> = Vec::new();
         for _ in 0..worth.len() {
             let first = (0..worth.len()).find(|index| !refused.contains(index))?;
@@ -286,7 +321,10 @@ impl<'a> Found<'a> {
     }
 
     /// Searches the constants of the places again, now that everything else is fitted beside them.
-    fn tune(&mut self, ground: &Ground<'a>) -> Result<(), NoPose> {
+    ///
+    /// # Errors
+    /// [`NoPose`] when the model cannot place a record.
+    pub fn tune(&mut self, ground: &Ground<'a>) -> Result<(), NoPose> {
         let estimate = self.fitted.estimate.clone();
         let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
         let mut terms = self.fitted.terms.clone();

@@ -118,7 +118,7 @@ impl<'a> Regression<'a> {
     }
 
     /// Design and observations of these records, one after the other.
-    fn rows(&self, records: &[usize]) -> (DMatrix<f64>, DVector<f64>) {
+    pub fn rows(&self, records: &[usize]) -> (DMatrix<f64>, DVector<f64>) {
         let samples = self.samples;
         let rows: Vec<usize> = records.iter().flat_map(|&record| samples.rows_of(record)).collect();
         let mut design = DMatrix::zeros(rows.len(), self.columns());
@@ -236,6 +236,11 @@ impl<'a> Regression<'a> {
             variances.map(|variance| variance / (1.0 - (variance / noise).min(MOST_LEVERAGE))).collect()
         };
         records.chunks(CHUNK).flat_map(of_chunk).collect()
+    }
+
+    /// Prior standard deviation of every column: of geometry in units of its own prior, of waves in rad.
+    pub fn prior_sigmas(&self, fitted: &Fitted) -> Vec<f64> {
+        self.groups.of.iter().map(|group| group.map_or(1.0, |group| fitted.variances.groups[group].sqrt())).collect()
     }
 
     /// Moves the geometry of `state` to where the regression has it.

@@ -62,7 +62,10 @@ pub fn add_paper_network(outcome: &mut Outcome<'_>, seed: u64) -> Result<(), NoP
 fn deliver(outcome: &mut Outcome<'_>, learned: &Learned) -> Result<(), NoPose> {
     let Some(mut state) = learned.state.clone() else { return Ok(()) };
     let mut problem = outcome.problem.subset(&outcome.fitted);
-    calibrate_uncertainty(&problem, &mut state, learned)?;
+    // The regression's own variance, which believes that it has all the functions that there are, is the least; what held-out
+    // regions are missed by, whose records have less company than a fresh pose would, is the most. The mean of the two.
+    let error_m2 = learned.error_m2 * 0.5 * (1.0 + learned.held_out_ratio);
+    calibrate_uncertainty(&problem, &mut state, error_m2)?;
     let unknowns = outcome.delivered.fit.unknowns.clone();
     // The records leave less now, and what they leave is less than the noise by what the learner took of it.
     for record in &mut problem.records {
@@ -81,13 +84,12 @@ fn deliver(outcome: &mut Outcome<'_>, learned: &Learned) -> Result<(), NoPose> {
     Ok(())
 }
 
-/// Scales the uncertainty of the curves so that, over the records, it adds up to what the learner errs by. The curves' own
-/// uncertainties are marginal (two that turn parallel axes share an error and undo it), and they are those of a learner
-/// that has all the functions that there are.
+/// Scales the uncertainty of the curves so that, over the records, it adds up to the mean square error that they are expected
+/// to make, m^2. Their own uncertainties are marginal: two that turn parallel axes share an error and undo it.
 ///
-/// The regression's own variance, which believes that, is the least; what held-out regions are missed by, whose records
-/// have less company than a fresh pose would, is the most. The mean of the two is taken.
-fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, learned: &Learned) -> Result<(), NoPose> {
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, error_m2: f64) -> Result<(), NoPose> {
     let samples = Samples::new(problem, state, &[])?;
     let Some(Learner::Curves(curves)) = &mut state.model.learner else { return Ok(()) };
     let mut claimed_m2 = 0.0;
@@ -103,7 +105,6 @@ fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, learned: &Lea
     }
     claimed_m2 /= samples.count().max(1) as f64;
     if claimed_m2 > 0.0 {
-        let error_m2 = learned.error_m2 * 0.5 * (1.0 + learned.held_out_ratio);
         let factor = (error_m2 / claimed_m2).sqrt();
         for sigma in curves.curves.iter_mut().flat_map(|curve| &mut curve.sigma_rad) {
             *sigma = (*sigma * factor * 1e11).round() / 1e11;

@@ -177,6 +177,14 @@ fn taken(
     learned.family = Some(family);
     learned.noise_scale = fitted.variances.noise.sqrt();
     learned.freedom -= fitted.posterior.determined;
+    learned.error_m2 = error_of_terms_m2(regression, fitted, sigmas_m);
+    learned.state = Some(moved);
+    learned
+}
+
+/// Mean square of the error that the terms are expected to make in a pose like the records', beside that of geometry, m^2.
+pub fn error_of_terms_m2(regression: &Regression<'_>, fitted: &Fitted, sigmas_m: &[f64]) -> f64 {
+    let samples = regression.samples;
     let asked: Vec<usize> = (0..samples.count()).step_by(samples.count().div_ceil(MOST_ASKED).max(1)).collect();
     let variance = regression.predicted_variance(fitted, &asked);
     let mut first = 0;
@@ -186,9 +194,7 @@ fn taken(
         first += count;
         position * sigmas_m[record] * sigmas_m[record]
     });
-    learned.error_m2 = share_of_terms(regression, fitted) * mean(squares);
-    learned.state = Some(moved);
-    learned
+    share_of_terms(regression, fitted) * mean(squares)
 }
 
 /// Share of a regression's own error that is not geometry's, which has about one noise variance for each of its numbers.

@@ -199,6 +199,13 @@ const LINES_PER_ROW: f64 = 0.1;
 /// Lever arm, against the longest, below which an actuator does not move the measured point.
 const NO_LEVER: f64 = 1e-3;
 
+/// Each actuator smoothly by its own angle, and by nothing else.
+pub fn own_angles(samples: &Samples<'_>) -> Vec<Term> {
+    let mut own = terms(samples, Family::Own);
+    own.retain(|term| term.sense_of.is_none());
+    own
+}
+
 /// The terms of a family over the range of the records; none where they are too few for it.
 pub fn terms(samples: &Samples<'_>, family: Family) -> Vec<Term> {
     let band = std::f64::consts::SQRT_2;

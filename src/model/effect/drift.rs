@@ -1,8 +1,9 @@
-//! A frame moves slowly and steadily during the recording.
+//! A frame moves slowly during the recording: steadily, or ever more slowly until it stands.
 //!
-//! Displacement `(t - t0) r` with six rates r: of the whole robot base against the tracker (in the base frame), or of the
-//! measured point against the flange (in the tool frame); t0 = [`Location::reference`], the start where a location has
-//! none. A tracker that drifts is a base that drifts the other way.
+//! Displacement `t r` with six rates r: of the whole robot base against the tracker (in the base frame), or of the measured
+//! point against the flange (in the tool frame). What warms up levels off: with a time constant T ([`Location::reference`],
+//! s) it is `T (1 - exp(-t/T)) r`, r the rates at the start (a body of one heat capacity). A tracker that drifts is a base
+//! that drifts the other way.
 //!
 //! Signature: follows time and no joint; constant in the frame that moves. Size: 0.03 to 0.1 mm an hour for a warm
 //! station, tenths of a millimetre in a tracker's first two hours (Leica AT960).
@@ -32,7 +33,7 @@ static META: EffectMeta = EffectMeta {
     parameters: &[rate("x"), rate("y"), rate("z"), turning("about_x"), turning("about_y"), turning("about_z")],
     place: Place::Frame,
     needs: Needs { time: true, ..Needs::NOTHING },
-    signature: "grows steadily with time, the same for every joint position",
+    signature: "grows with time, steadily or until it levels off, the same for every joint position",
     mistaken_for: &["thermal_growth", "step_shift"],
 };
 
@@ -46,7 +47,11 @@ impl Physics for Drift {
             return;
         };
         if let Ok(rates) = Displacement::<T>::try_from(parameters) {
-            let elapsed = T::constant(time_s - at.reference.unwrap_or(0.0));
+            let elapsed_s = match at.reference {
+                Some(levelling_s) if levelling_s > 0.0 => levelling_s * -(-time_s / levelling_s).exp_m1(),
+                _ => time_s,
+            };
+            let elapsed = T::constant(elapsed_s);
             response.move_frame(frame, &rates.map(|rate| rate * elapsed));
         }
     }

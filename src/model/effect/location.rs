@@ -38,8 +38,8 @@ pub struct Location {
     /// True for the clocks.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub clock: Option<bool>,
-    /// The value of the effect's cause at which it is zero by definition (a temperature, a time), or at which it changes
-    /// sides (the torque that friction holds).
+    /// The value of the effect's cause at which it is zero by definition (a temperature), or at which it changes sides
+    /// (the torque that friction holds), or the time in which it levels off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reference: Option<f64>,
 }

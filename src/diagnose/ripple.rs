@@ -1,0 +1,268 @@
+//! Joints whose error repeats in so many lines that a list of them is no description of it: one curve of the joint's own
+//! angle each. An encoder's or a gear's error has as many lines as its parts have marks, teeth and flaws; a search finds the
+//! strongest of them one by one and leaves the rest, which together may be more.
+//!
+//! The curves are a Gaussian process by bands of frequency, as the learner has it ([`crate::learn::term`]), of the joint's own
+//! angle alone: whatever it is made of, it turns that joint, repeats with it, and knows neither load nor approach. That is
+//! what `joint_periodic` means.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::identify::problem::{NoPose, Problem};
+use crate::identify::state::State;
+use crate::identify::unknown::Unknown;
+use crate::learn::additive::{Fitted as Regressed, Regression};
+use crate::learn::calibration::calibrate_uncertainty;
+use crate::learn::choose::error_of_terms_m2;
+use crate::learn::samples::Samples;
+use crate::learn::term::{Term, own_angles};
+use crate::measure::recording::Kind;
+
+use super::evidence::{self, DECIDES, SMALLEST_PART};
+use super::fitted::{Fitted, Ground};
+use super::hold_out::{fall_in_errors, held_out_squares_m2};
+use super::projection::Projection;
+use super::search::{Found, search_in};
+use super::spectrum::{Line, strongest_line};
+
+/// Lines of one joint that make it worth asking for a curve.
+const FEWEST_LINES: usize = 2;
+/// Orders up to here have names of their own (eccentricity, ovality): they ask for no curve.
+const LOW_ORDER: f64 = 3.5;
+/// Standard errors by which held-out records must be nearer to curves than to a list of lines.
+const SURELY_NEARER: f64 = 1.0;
+/// A wave that cannot move all records together by this many standard deviations is left out of projections.
+const NO_MOVEMENT: f64 = 0.1;
+/// Parts in which the rows of a regression are summed up side by side.
+const PARTS: usize = 10;
+
+/// The curves of a fit, free beside everything else in its projections.
+#[derive(Clone, Debug)]
+pub struct Ripple {
+    /// One for each joint that has a curve.
+    pub joints: Vec<JointRipple>,
+}
+
+/// The curve of one joint, as a sum of waves.
+#[derive(Clone, Debug)]
+pub struct JointRipple {
+    /// The joint, from zero.
+    pub joint: usize,
+    /// Root mean square of the curve over the records, rad, with its standard uncertainty.
+    pub rms_rad: [f64; 2],
+    /// Its strongest line.
+    pub line: Line,
+    /// Movement of each coordinate by a unit of each wave, m/rad.
+    columns_m: DMatrix<f64>,
+    /// Prior of each wave's weight, rad.
+    sigmas: Vec<f64>,
+    /// The weights, rad.
+    weights: DVector<f64>,
+}
+
+/// What a fit has free: whitened columns, prior standard deviations, and how far each number is from its prior's mean in them.
+pub struct FreeNumbers {
+    /// Whitened columns.
+    pub columns: DMatrix<f64>,
+    /// Standard deviations of the priors.
+    pub sigmas: Vec<f64>,
+    /// Deviations from the priors' means, in those.
+    pub deviations: Vec<f64>,
+}
+
+impl Ripple {
+    /// Adds the waves of every joint but one to what is free.
+    pub fn add_to(&self, free: &mut FreeNumbers, whitening: &DVector<f64>, without: Option<usize>) {
+        for one in self.joints.iter().filter(|one| Some(one.joint) != without) {
+            let columns = one.whitened(whitening);
+            let telling =
+                (0..columns.ncols()).filter(|&wave| columns.column(wave).norm() * one.sigmas[wave] > NO_MOVEMENT);
+            let telling: Vec<usize> = telling.collect();
+            let first = free.columns.ncols();
+            free.columns.resize_horizontally_mut(first + telling.len(), 0.0);
+            for (place, &wave) in telling.iter().enumerate() {
+                free.columns.set_column(first + place, &columns.column(wave));
+                free.sigmas.push(one.sigmas[wave]);
+                free.deviations.push(one.weights[wave] / one.sigmas[wave]);
+            }
+        }
+    }
+}
+
+impl JointRipple {
+    fn whitened(&self, whitening: &DVector<f64>) -> DMatrix<f64> {
+        let mut columns = self.columns_m.clone();
+        for mut column in columns.column_iter_mut() {
+            column.component_mul_assign(whitening);
+        }
+        columns
+    }
+
+    /// What the curve explains beside everything else, and the evidence against it.
+    pub fn gain(&self, fitted: &Fitted<'_>) -> (f64, f64, Projection) {
+        let whitening = fitted.estimate.problem.whitening();
+        let projection = fitted.projection_without_ripple_of(self.joint, &(self.columns_m.clone() * &self.weights));
+        let mut columns = self.whitened(&whitening);
+        for (mut column, sigma) in columns.column_iter_mut().zip(&self.sigmas) {
+            column *= *sigma;
+        }
+        let looked_at = evidence::looked_at(crate::model::robot::DOF as f64);
+        let (gain, evidence) = projection.smooth_gain(&columns, looked_at);
+        (gain.explained, evidence, projection)
+    }
+}
+
+/// The search's result with curves in the place of lines, where a joint shows many and held-out records are nearer to the
+/// curves; `None` where they are not.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn with_curves<'a>(
+    ground: &Ground<'a>,
+    lines: &Found<'a>,
+    kind: Kind,
+    seed: u64,
+) -> Result<Option<Found<'a>>, NoPose> {
+    if !shows_many_lines(lines) {
+        return Ok(None);
+    }
+    let searched = ground.thinned(super::search::MOST_SEARCHED);
+    let part = searched.as_ref().unwrap_or(ground);
+    let all: Vec<usize> = (0..crate::model::robot::DOF).collect();
+    let Some(first) = curved(part, &all)? else { return Ok(None) };
+    let joints = telling_joints(&first.fit(&[])?);
+    if joints.is_empty() {
+        return Ok(None);
+    }
+    let Some(curved_part) = curved(part, &joints)? else { return Ok(None) };
+    let mut found = search_in(&curved_part, curved_part.fit(&[])?, kind, seed)?;
+    let plain = match &searched {
+        None => lines.fitted.clone(),
+        Some(part) => part.refit(&lines.fitted, &lines.fitted.terms, &[])?,
+    };
+    let squares =
+        |fitted: &Fitted<'_>| held_out_squares_m2(&fitted.estimate.problem, &found.blocks, &fitted.projection(None));
+    if fall_in_errors(&squares(&plain), &squares(&found.fitted)) < SURELY_NEARER {
+        return Ok(None);
+    }
+    // Curves and causes were found in turn: now together, on all records.
+    let terms = found.fitted.terms.clone();
+    let with_terms = ground.fit(&terms)?;
+    let Some(together) = relearned(ground, &with_terms, &joints)? else { return Ok(None) };
+    found.fitted = together;
+    found.bare_m2 = lines.bare_m2;
+    if searched.is_some() {
+        found.blocks = lines.blocks.clone();
+    }
+    found.reviews = super::review::review(&found)?;
+    Ok(Some(found))
+}
+
+fn shows_many_lines(found: &Found<'_>) -> bool {
+    let fine = |joint: usize| {
+        let terms = found.fitted.terms.iter().map(super::candidate::Candidate::location);
+        terms.filter(|at| at.joint_index() == Some(joint) && at.order.is_some_and(|order| order > LOW_ORDER)).count()
+    };
+    (0..crate::model::robot::DOF).any(|joint| fine(joint) >= FEWEST_LINES)
+}
+
+/// The joints whose curve is believed beside all others.
+fn telling_joints(fitted: &Fitted<'_>) -> Vec<usize> {
+    let Some(ripple) = &fitted.ripple else { return Vec::new() };
+    let believed = |one: &&JointRipple| {
+        let (explained, evidence, projection) = one.gain(fitted);
+        evidence < -DECIDES && explained > SMALLEST_PART * projection.cost
+    };
+    ripple.joints.iter().filter(believed).map(|one| one.joint).collect()
+}
+
+/// A ground whose state holds curves of these joints.
+fn curved<'a>(ground: &Ground<'a>, joints: &[usize]) -> Result<Option<Ground<'a>>, NoPose> {
+    let learned = learned(&ground.problem, &ground.state, &ground.unknowns, joints)?;
+    Ok(learned.map(|(state, ripple)| Ground { state, ripple: Some(Arc::new(ripple)), ..ground.clone() }))
+}
+
+/// A fit with its curves learned beside its causes.
+fn relearned<'a>(ground: &Ground<'a>, fitted: &Fitted<'a>, joints: &[usize]) -> Result<Option<Fitted<'a>>, NoPose> {
+    let fit = &fitted.estimate.fit;
+    let Some((state, ripple)) = learned(&fitted.estimate.problem, &fit.state, &fit.unknowns, joints)? else {
+        return Ok(None);
+    };
+    let estimate = crate::identify::estimate::estimate(ground.problem.clone(), state, &fit.unknowns, ground.stated)?;
+    Ok(Some(Fitted { estimate, ripple: Some(Arc::new(ripple)), ..fitted.clone() }))
+}
+
+/// Learns curves of these joints beside all that is free; `None` where there is nothing to learn.
+fn learned(
+    problem: &Problem<'_>,
+    state: &State,
+    unknowns: &[Unknown],
+    joints: &[usize],
+) -> Result<Option<(State, Ripple)>, NoPose> {
+    let mut plain = state.clone();
+    plain.model.learner = None;
+    let samples = Samples::new(problem, &plain, unknowns)?;
+    let mut terms = own_angles(&samples);
+    terms.retain(|term| joints.contains(&term.turns));
+    if terms.is_empty() {
+        return Ok(None);
+    }
+    let parts: Vec<usize> = (0..samples.count()).map(|record| record % PARTS).collect();
+    let regression = Regression::new(&samples, &plain, unknowns, terms, &parts);
+    let Some(fitted) = regression.fit() else { return Ok(None) };
+    let Some(curves) = regression.curves(&fitted) else { return Ok(None) };
+    let mut moved = plain.clone();
+    regression.move_geometry(&fitted, unknowns, &mut moved);
+    moved.model.learner = Some(curves.into());
+    let sigmas_m: Vec<f64> = problem.records.iter().map(|record| record.sigma_m).collect();
+    calibrate_uncertainty(problem, &mut moved, error_of_terms_m2(&regression, &fitted, &sigmas_m))?;
+    Ok(Some((moved, ripple(&regression, &fitted, &problem.whitening()))))
+}
+
+fn ripple(regression: &Regression<'_>, fitted: &Regressed, whitening: &DVector<f64>) -> Ripple {
+    let everything: Vec<usize> = (0..regression.samples.count()).collect();
+    let (design, _) = regression.rows(&everything);
+    let sigmas = regression.prior_sigmas(fitted);
+    let mut first = regression.geometry;
+    let of_term = |term: &Term| {
+        let span = first..first + term.columns;
+        first = span.end;
+        let mut columns_m = design.columns(span.start, term.columns).into_owned();
+        for mut column in columns_m.column_iter_mut() {
+            column.component_div_assign(whitening);
+        }
+        let weights = fitted.posterior.mean.rows(span.start, term.columns).into_owned();
+        let root = fitted.posterior.root.columns(span.start, term.columns).into_owned();
+        let at: Vec<f64> = everything.iter().map(|&record| term.input(regression.samples, record).0).collect();
+        JointRipple {
+            joint: term.turns,
+            rms_rad: root_mean_square(term, &at, &weights, &root),
+            line: strongest_line(term, &at, &weights, &root),
+            columns_m,
+            sigmas: sigmas[span].to_vec(),
+            weights,
+        }
+    };
+    Ripple { joints: regression.terms.iter().map(of_term).collect() }
+}
+
+/// Root mean square of a sum of waves at these angles, its mean taken off, with its standard uncertainty (to first order).
+fn root_mean_square(term: &Term, at: &[f64], weights: &DVector<f64>, root: &DMatrix<f64>) -> [f64; 2] {
+    let mut waves = DMatrix::zeros(at.len(), term.columns);
+    let mut row = vec![0.0; term.columns];
+    for (index, &x) in at.iter().enumerate() {
+        term.waves_at(x, &mut row);
+        waves.row_mut(index).copy_from_slice(&row);
+    }
+    for mut column in waves.column_iter_mut() {
+        let mean = column.mean();
+        column.add_scalar_mut(-mean);
+    }
+    let values = &waves * weights;
+    let count = at.len().max(1) as f64;
+    let rms = (values.norm_squared() / count).sqrt();
+    let gradient = waves.tr_mul(&values) / (count * rms.max(f64::MIN_POSITIVE));
+    [rms, (root * gradient).norm()]
+}

@@ -1,0 +1,62 @@
+//! Causes that only mend the law of another one, and are not needed once that law is fitted without them.
+//!
+//! The constant of a law (a knee, a moment, a levelling time) was searched for beside everything that was found by then. A
+//! cause that was found first, and wrongly, keeps such a constant from its place, and then looks necessary. So each is
+//! taken out in turn, the constants of the others are searched for again, and where that is as good, it stays out.
+
+use crate::identify::problem::NoPose;
+use crate::model::effect::Place;
+
+use super::candidate::Candidate;
+use super::evidence::looked_at;
+use super::fitted::Ground;
+use super::search::Found;
+
+/// Takes out every cause whose neighbours, their constants searched for again, make it needless; true when one was.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn simplify<'a>(found: &mut Found<'a>, ground: &Ground<'a>) -> Result<bool, NoPose> {
+    let mut changed = false;
+    let mut term = 0;
+    while term < found.fitted.terms.len() {
+        match without(found, ground, term)? {
+            Some(simpler) => {
+                *found = simpler;
+                (changed, term) = (true, 0);
+            }
+            None => term += 1,
+        }
+    }
+    Ok(changed)
+}
+
+/// What was found without one cause, where that is no worse.
+fn without<'a>(found: &Found<'a>, ground: &Ground<'a>, term: usize) -> Result<Option<Found<'a>>, NoPose> {
+    let fitted = &found.fitted;
+    let cause = &fitted.terms[term];
+    let others = fitted.terms.iter().enumerate().filter(|(index, _)| *index != term);
+    if !others.clone().any(|(_, other)| has_a_searched_law(other) && is_near(other, cause)) {
+        return Ok(None);
+    }
+    let terms: Vec<Candidate> = others.map(|(_, other)| other.clone()).collect();
+    let mut simpler = Found { fitted: ground.refit(fitted, &terms, &[])?, ..found.clone() };
+    simpler.tune(ground)?;
+    let (fit, _) = ground.fit_like(fitted, &simpler.fitted.terms)?;
+    let (rows, numbers) = (fit.residuals.len() as f64, fitted.spans[term].len() + cause.chosen_constants);
+    let price = numbers as f64 * rows.ln() + 2.0 * looked_at(cause.places).ln();
+    let worse = rows * (fit.cost / fitted.estimate.fit.cost).ln();
+    Ok((worse < price).then_some(simpler))
+}
+
+/// True for a cause whose law has a constant that was searched for.
+fn has_a_searched_law(candidate: &Candidate) -> bool {
+    let place = candidate.effect().meta().place;
+    matches!(place, Place::Frame | Place::FrameMoment) || (place == Place::Joint && candidate.chosen_constants > 0)
+}
+
+/// True when two causes act at the same joint or frame.
+fn is_near(one: &Candidate, other: &Candidate) -> bool {
+    let (one, other) = (one.location(), other.location());
+    (one.joint.is_some() && one.joint == other.joint) || (one.frame.is_some() && one.frame == other.frame)
+}
