@@ -52,7 +52,12 @@ fn report() -> DiagnosisReport {
         location,
         parameters: vec![ParameterPart { name: "gap", value: 2e-4, unit: "rad", ci95: [1.9e-4, 2.1e-4] }],
         share: 0.7,
-        evidence: EvidencePart { heldout_rms_before_mm: 0.3, heldout_rms_after_mm: 0.1, p_value: 0.0 },
+        evidence: EvidencePart {
+            heldout_rms_before_mm: 0.3,
+            heldout_rms_after_mm: 0.1,
+            p_value: 0.0,
+            stability: Some(1.0),
+        },
         alternatives: vec![AlternativePart { effect: "friction_windup", location }],
         statement: "Joint 2 has play.".into(),
     };

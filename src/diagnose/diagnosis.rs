@@ -13,6 +13,7 @@ use crate::measure::recording::{Kind, Recording};
 use crate::model::arm::{ArmModel, EffectInstance};
 use crate::model::effect::{Location, by_id};
 
+use super::advice::{Advice, next_measurements};
 use super::baseline::baseline;
 use super::evidence;
 use super::fitted::{Fitted, Ground};
@@ -22,6 +23,7 @@ use super::left_over::left_over;
 use super::regressors::Regressors;
 use super::ripple::{JointRipple, with_curves};
 use super::search::{Found, search_from};
+use super::stability::stability;
 
 /// The answer in a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -79,6 +81,8 @@ pub struct Finding {
     pub held_out_rms_mm: [f64; 2],
     /// Probability of as large a gain by chance, everything that was looked at counted.
     pub p_value: f64,
+    /// Part of random halves of the records that would have shown it; `None` where that was not asked (curves).
+    pub stability: Option<f64>,
     /// Part of the error before, in squares, that it explains.
     pub share: f64,
     /// Those that this recording cannot tell from it.
@@ -118,6 +122,8 @@ pub struct Diagnosis<'a> {
     pub unexplained: Option<Unexplained>,
     /// Names of the gross errors.
     pub outliers: Vec<String>,
+    /// What to measure next.
+    pub next_measurements: Vec<Advice>,
     /// The fit with the findings.
     pub estimate: Estimate<'a>,
 }
@@ -165,7 +171,7 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     let before = errors(&bare.estimate, rms_mm(&before_squares));
     let after_squares = held_out_m2(&found.fitted, &found.blocks, None);
     let after = errors(&found.fitted.estimate, rms_mm(&after_squares));
-    let mut findings = findings(&found, after.held_out_rms_mm);
+    let mut findings = findings(&found, after.held_out_rms_mm, seed);
     findings.extend(curves(&found, after.held_out_rms_mm));
     findings.sort_by(|a, b| b.share.total_cmp(&a.share));
     let unexplained = unexplained(&found)?;
@@ -176,7 +182,7 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
         (true, Some(_)) => Verdict::Unexplained,
     };
     let left = left_over(&found, &base)?;
-    Ok(Diagnosis {
+    let mut diagnosis = Diagnosis {
         kind,
         records: recordings.iter().map(|recording| recording.observations.len()).sum(),
         noise_sigma_m: left.noise_sigma_m,
@@ -187,8 +193,11 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
         findings,
         unexplained,
         outliers,
+        next_measurements: Vec::new(),
         estimate: found.fitted.estimate,
-    })
+    };
+    diagnosis.next_measurements = next_measurements(&diagnosis)?;
+    Ok(diagnosis)
 }
 
 /// The records that are no gross errors beside what was found. Many that are off by one and the same joint are physics.
@@ -217,7 +226,7 @@ fn errors(estimate: &Estimate<'_>, held_out_rms_mm: f64) -> Errors {
     Errors { fitted: Figures::of(&lengths).unwrap_or(nothing), held_out_rms_mm }
 }
 
-fn findings(found: &Found<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
+fn findings(found: &Found<'_>, held_out_rms_mm: f64, seed: u64) -> Vec<Finding> {
     let fitted = &found.fitted;
     // Sums of squares in metres: whitened, the fits with and without have noise levels of their own.
     let sigma_m = fitted.estimate.spread.sigma_m;
@@ -235,6 +244,7 @@ fn findings(found: &Found<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
                 values: named_values(&candidate.instances, &values, &sigmas),
                 held_out_rms_mm: [rms_mm(&squares), held_out_rms_mm],
                 p_value: evidence::p_value(gain.explained, gain.rank, review.cost, review.freedom, looked_at),
+                stability: Some(stability(fitted, term, seed)),
                 share: (explained_m2 / found.bare_m2.max(f64::MIN_POSITIVE)).min(1.0),
                 alternatives: review
                     .rivals
@@ -263,6 +273,7 @@ fn curves(found: &Found<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
             values: vec![value("amplitude", one.line.amplitude_rad), value("rms_of_all_orders", one.rms_rad)],
             held_out_rms_mm: [rms_mm(&squares), held_out_rms_mm],
             p_value: evidence::p_value_of_evidence(evidence),
+            stability: None,
             share: (explained * sigma_m.powi(2) / found.bare_m2.max(f64::MIN_POSITIVE)).min(1.0),
             alternatives: Vec::new(),
         }

@@ -220,11 +220,17 @@ impl Fitted<'_> {
 
     /// What is left when everything free is projected out: all, or all but a term.
     pub fn projection(&self, without: Option<usize>) -> Projection {
-        let (mut free, residuals) = self.without(without);
+        let (free, residuals) = self.free_without(without);
+        Projection::new(&free.columns, &free.sigmas, &residuals, &free.deviations)
+    }
+
+    /// Everything that is free, or all of it but a term, with the whitened residuals that taking the term out leaves.
+    pub fn free_without(&self, term: Option<usize>) -> (FreeNumbers, DVector<f64>) {
+        let (mut free, residuals) = self.without(term);
         if let Some(ripple) = &self.ripple {
             ripple.add_to(&mut free, &self.estimate.problem.whitening(), None);
         }
-        Projection::new(&free.columns, &free.sigmas, &residuals, &free.deviations)
+        (free, residuals)
     }
 
     /// The same with the curve of one joint taken out, which moved the coordinates by `said_m`.

@@ -136,33 +136,13 @@ impl Projection {
 
     /// What these columns (whitened) explain of the residuals.
     pub fn gain(&self, columns: &DMatrix<f64>) -> Gain {
-        self.gain_of(columns, &self.residuals)
-    }
-
-    /// Orthonormal directions of a candidate beyond what is free, to ask many residuals for.
-    pub fn probe(&self, columns: &DMatrix<f64>) -> Probe {
-        let along = self.basis.tr_mul(columns);
-        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
-        let (mut vectors, roots) = own_directions(&gram);
-        for (mut vector, root) in vectors.column_iter_mut().zip(&roots) {
-            vector /= *root;
-        }
-        let mut unit = columns.clone();
-        for (mut column, length) in unit.column_iter_mut().zip(lengths_of(columns)) {
-            column /= length;
-        }
-        Probe { directions: unit * vectors }
-    }
-
-    /// What these columns explain of other residuals (a permutation, say) in the same projection.
-    fn gain_of(&self, columns: &DMatrix<f64>, residuals: &DVector<f64>) -> Gain {
         let count = columns.ncols();
         let along = self.basis.tr_mul(columns);
         let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
         let lengths = lengths_of(columns);
         let slope = DVector::from_iterator(
             count,
-            columns.column_iter().zip(&lengths).map(|(column, length)| column.dot(residuals) / length),
+            columns.column_iter().zip(&lengths).map(|(column, length)| column.dot(&self.residuals) / length),
         );
         let (vectors, roots) = own_directions(&gram);
         let parts = vectors.transpose() * &slope;
@@ -181,6 +161,21 @@ impl Projection {
         let freedom = (self.rows as f64 - self.free as f64 - roots.len() as f64).max(1.0);
         let variance = (self.cost - explained).max(0.0) / freedom;
         Gain { explained, rank: roots.len(), values, sigmas: variances.map(|own: f64| (own * variance).sqrt()) }
+    }
+
+    /// Orthonormal directions of a candidate beyond what is free, to ask many residuals for.
+    pub fn probe(&self, columns: &DMatrix<f64>) -> Probe {
+        let along = self.basis.tr_mul(columns);
+        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
+        let (mut vectors, roots) = own_directions(&gram);
+        for (mut vector, root) in vectors.column_iter_mut().zip(&roots) {
+            vector /= *root;
+        }
+        let mut unit = columns.clone();
+        for (mut column, length) in unit.column_iter_mut().zip(lengths_of(columns)) {
+            column /= length;
+        }
+        Probe { directions: unit * vectors }
     }
 
     /// What a smooth function explains whose columns (whitened, the least smooth the smallest) all have one unknown size: the
@@ -222,18 +217,6 @@ impl Projection {
     /// Residuals of other data after all that is free is projected out (what priors hold back left aside).
     pub fn projected(&self, residuals: &DVector<f64>) -> DVector<f64> {
         residuals - &self.basis * (self.basis.tr_mul(residuals))
-    }
-
-    /// How much of the direction in which `one` (columns and their values) moves the records can be had by `other`:
-    /// cosine of the angle between it and the other's columns, both beyond what is free.
-    pub fn cosine(&self, one: &DMatrix<f64>, values: &DVector<f64>, other: &DMatrix<f64>) -> f64 {
-        let moved = one * values;
-        let own = &moved - &self.basis * (self.basis.tr_mul(&moved));
-        let length_squared = moved.dot(&own);
-        if length_squared <= 0.0 {
-            return 0.0;
-        }
-        (self.gain_of(other, &own).explained / length_squared).clamp(0.0, 1.0).sqrt()
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::diagnose::diagnosis::{Diagnosis, Errors, Finding, Verdict};
-use crate::diagnose::statement::{headline, next_measurements, of_finding, of_unexplained};
+use crate::diagnose::statement::{headline, of_finding, of_unexplained};
 use crate::measure::recording::Kind;
 use crate::model::effect::Location;
 
@@ -99,6 +99,9 @@ pub struct EvidencePart {
     pub heldout_rms_after_mm: f64,
     /// Probability of as large a gain by chance.
     pub p_value: f64,
+    /// Part of random halves of the records that would have shown it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stability: Option<f64>,
 }
 
 /// What may be there instead.
@@ -164,9 +167,10 @@ impl DiagnosisReport {
                 statement: of_unexplained(unexplained),
             }),
             outliers: diagnosis.outliers.clone(),
-            next_measurements: next_measurements(diagnosis)
-                .into_iter()
-                .map(|(why, what)| NextPart { why, what })
+            next_measurements: diagnosis
+                .next_measurements
+                .iter()
+                .map(|advice| NextPart { why: advice.why.clone(), what: advice.what.clone() })
                 .collect(),
         }
     }
@@ -206,7 +210,12 @@ fn finding(finding: &Finding) -> FindingPart {
             })
             .collect(),
         share: finding.share,
-        evidence: EvidencePart { heldout_rms_before_mm, heldout_rms_after_mm, p_value: finding.p_value },
+        evidence: EvidencePart {
+            heldout_rms_before_mm,
+            heldout_rms_after_mm,
+            p_value: finding.p_value,
+            stability: finding.stability,
+        },
         alternatives: finding
             .alternatives
             .iter()
