@@ -175,8 +175,8 @@ fn below_the_limit(diagnosis: &Diagnosis<'_>, levers: &Levers) -> Option<Advice>
             limits.join(", ")
         ),
         what:
-            "four times as many poses halve that, at angles of no lattice; or one joint alone in steps of 0.4 deg over \
-               8 deg, all else still"
+            "four times as many poses, at angles of no lattice, halve these limits; one joint alone in steps of 0.4 deg over \
+               8 deg, all else still, shows what is finer"
                 .into(),
     })
 }
