@@ -281,6 +281,18 @@ pub enum Reference {
     Runtime(String),
 }
 
+impl Reference {
+    /// Two ways to a statement disagree; `None` for a way that leaves the setting as it was.
+    pub fn disputed(one: Option<&Reference>, other: Option<&Reference>) -> Reference {
+        let shown = |reference: Option<&Reference>| match reference {
+            Some(Reference::Named(name)) => format!("`{name}`"),
+            Some(Reference::Runtime(reason)) => reason.clone(),
+            Some(Reference::Unnamed) | None => "what held before".to_owned(),
+        };
+        Reference::Runtime(format!("{} on one way to this statement, {} on another", shown(one), shown(other)))
+    }
+}
+
 impl Program {
     /// Names are compared without regard to case: the spelling under which definitions are filed.
     pub fn key(name: &str) -> String {

@@ -11,7 +11,7 @@ use crate::kinematics::controller::Controller;
 use crate::model::robot::DOF;
 use crate::program::target::{Configuration, PathKind, Program, TargetValue};
 
-use super::class::{Class, class_by_text};
+use super::class::{Class, class_by_value};
 use super::setting::{Obstacle, Setting, Settings};
 
 /// One arrival at a target.
@@ -36,7 +36,7 @@ const STILL_RAD: f64 = 1e-7;
 pub fn follow(program: &Program, settings: &mut Settings<'_>, controller: &Controller) -> Vec<Visit> {
     let mut arrivals: Vec<(usize, usize)> = Vec::new();
     for (index, target) in program.targets.iter().enumerate() {
-        let (class, _) = class_by_text(target);
+        let (class, _) = class_by_value(target);
         if class == Class::Corrected || class == Class::Joint {
             let moves = target.uses.iter().enumerate().filter(|(_, one)| one.computed.is_none());
             arrivals.extend(moves.map(|(one_use, _)| (index, one_use)));
