@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::base::text::Source;
 use crate::geometry::pose::Pose;
-use crate::program::dialect::script::{Position, Positions, Selected, Text, Tokens};
+use crate::program::dialect::script::{Position, Positions, Selected, Text, Tokens, under_condition};
 use crate::program::target::{Definition, FrameData, PathKind, Program, Reference, TargetValue, ToolData, Use};
 
 use super::LEXIS;
@@ -86,6 +86,7 @@ impl Reader<'_> {
             let other = (at + 1..statement.end).find(|&at| matches!(text.word(at).as_str(), "THEN" | "ELSE" | "ENDIF"));
             let end = other.unwrap_or(statement.end);
             let (inner, rest) = (at..end, at + 1..end);
+            let conditional = (at > statement.start).then(|| under_condition(text.line(statement.start)));
             match text.word(at).as_str() {
                 "MOVE" => {
                     for (goal, path) in goals(text, &inner) {
@@ -108,8 +109,14 @@ impl Reader<'_> {
                     let one = self.one(word, PathKind::Other, statement, None);
                     self.positions.go_inline(Position::plain(text.span(statement), Err(reason)), one);
                 }
-                "CHANGETOOL" => self.selected.tools.push(offset, numbered(text, &rest, "tool")),
-                "CHANGEWORK" => self.selected.frames.push(offset, numbered(text, &rest, "work coordinate system")),
+                "CHANGETOOL" => {
+                    let tool = numbered(text, &rest, "tool");
+                    self.selected.tools.push(offset, conditional.unwrap_or(tool));
+                }
+                "CHANGEWORK" => {
+                    let frame = numbered(text, &rest, "work coordinate system");
+                    self.selected.frames.push(offset, conditional.unwrap_or(frame));
+                }
                 word @ ("TOOL" | "WORK") => self.defined(word == "TOOL", &rest, program),
                 _ => {}
             }
