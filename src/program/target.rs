@@ -131,6 +131,8 @@ pub enum TargetValue {
     Joint(Box<JointNumbers>),
     /// A constant displacement of another target (RAPID `Offs`, `RelTool`): the numbers are those of the displacement.
     Displaced(Box<Displacement>),
+    /// Joint values as counts of encoders, which only the controller can turn into angles.
+    Counts,
     /// Nothing that could be read: a step without a recorded pose, an expression.
     Unwritten,
 }
@@ -333,7 +335,7 @@ impl Target {
     /// `cartesian` or `joint`, as reports say it.
     pub fn kind(&self) -> &'static str {
         match self.value {
-            TargetValue::Joint(_) => "joint",
+            TargetValue::Joint(_) | TargetValue::Counts => "joint",
             _ => "cartesian",
         }
     }

@@ -57,7 +57,7 @@ pub(super) fn class_by_value(target: &Target) -> (Class, Option<String>) {
         return (Class::Computed, target.uses.iter().find_map(|one| one.computed.clone()));
     }
     match &target.value {
-        TargetValue::Unwritten => (Class::Computed, Some("its value is not in the text".into())),
+        TargetValue::Counts | TargetValue::Unwritten => (Class::Computed, Some("its value is not in the text".into())),
         TargetValue::Joint(_) => (Class::Joint, None),
         TargetValue::Displaced(_) => (Class::Corrected, None),
         TargetValue::Cartesian(numbers) => match numbers.has_orientation() {

@@ -322,7 +322,7 @@ fn write(job: &Job<'_>, model: &ArmModel, outcomes: &mut [TargetOutcome], index:
                     digits::write_position(edits, source, &displacement.position, units, rules, &exact);
                 }
             }
-            TargetValue::Unwritten => {}
+            TargetValue::Counts | TargetValue::Unwritten => {}
         }
     }
     outcomes[index].figures = Some(figures);

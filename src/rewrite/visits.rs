@@ -131,7 +131,7 @@ pub fn written_pose(program: &Program, value: &TargetValue) -> Option<Pose> {
             };
             Some(super::displaced::displaced(&base.pose()?, displacement))
         }
-        TargetValue::Joint(_) | TargetValue::Unwritten => None,
+        TargetValue::Joint(_) | TargetValue::Counts | TargetValue::Unwritten => None,
     }
 }
 

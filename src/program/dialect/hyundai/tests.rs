@@ -113,7 +113,7 @@ fn encoder_counts_missing_poses_and_shifts_are_computed() {
     let of_use: Vec<bool> = program.targets.iter().map(|target| target.uses[0].computed.is_some()).collect();
     assert_eq!(of_target, [true, true, false, false, false, true]);
     assert_eq!(of_use, [false, false, true, true, true, false]);
-    assert!(matches!(program.targets[0].value, TargetValue::Unwritten));
+    assert!(matches!(program.targets[0].value, TargetValue::Counts));
     assert_eq!(program.targets[3].name.as_deref(), Some("S4"));
     assert_eq!(&*program.targets[3].uses[0].motion, "SMOV C");
     assert!(matches!(program.targets[4].uses[0].tool, Reference::Runtime(_)));
