@@ -112,11 +112,18 @@ fn arrive(
         Err(obstacle) => return (written, Err(obstacle.clone())),
     };
     let flange = setting.nominal_flange(&written);
+    let distance_m = flange.translation.norm();
+    if distance_m.is_nan() || distance_m > FARTHEST_M {
+        return (written, Err(Obstacle::refused("out of reach: its numbers are no place on earth")));
+    }
     match controller.solve(&flange, &wish(&target.configuration), previous.as_ref()) {
         Ok(choice) => (written, Ok(choice.numbers_rad)),
         Err(error) => (written, Err(Obstacle::refused(error.to_string()))),
     }
 }
+
+/// Whatever stands farther away is a slip of the pen; squares of its numbers would leave what a double holds.
+const FARTHEST_M: f64 = 1e7;
 
 /// A joint target at its limit is written with rounded degrees.
 const LIMIT_SLACK_RAD: f64 = 1e-4;

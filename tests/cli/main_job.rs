@@ -284,3 +284,12 @@ fn what_has_no_name_to_spare_is_split_by_its_value() {
         assert_eq!(text(bench.read(&format!("out-{name}"))), text(by_hand.stdout));
     }
 }
+
+#[test]
+fn a_target_with_an_absurd_number_is_refused_like_any_out_of_reach() {
+    let bench = Bench::new();
+    bench.write("job.mod", program(&REACHED.replace("1500", "251E222"), "tGun"));
+    let run = bench.run(&["correct", "--model", "model.yaml", "job.mod", "-o", "out.mod"]);
+    assert_eq!(run.status, Some(1), "{}", run.stderr);
+    assert!(run.stderr.contains("out of reach") && !bench.path("out.mod").exists(), "{}", run.stderr);
+}
