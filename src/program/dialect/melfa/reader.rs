@@ -36,8 +36,9 @@ pub(super) fn read(sources: &[Source]) -> Program {
             if numbered && jumped_to.contains(&text.show(&(whole.start..whole.start + 1))) {
                 reader.selected.joins.push(text.span(statement).start);
             }
-            reader.statement(statement, &mut program);
+            reader.select(statement, &mut program);
         }
+        statements.iter().for_each(|statement| reader.statement(statement));
         reader.positions.finish(&mut program);
     }
     program
@@ -133,24 +134,17 @@ impl Reader<'_> {
         }
     }
 
-    fn statement(&mut self, statement: &Range<usize>, program: &mut Program) {
+    /// Notes the tools and frames that a statement selects, and where ways meet.
+    fn select(&mut self, statement: &Range<usize>, program: &mut Program) {
         let text = self.text;
         let offset = text.span(statement).start;
         let line = text.line(statement.start);
         if joins(text, statement) {
             self.selected.joins.push(offset);
         }
-        for at in statement.clone() {
-            let before = at.checked_sub(1).filter(|&before| before >= statement.start).map(|before| text.word(before));
-            let begins = at == statement.start || before.is_some_and(|word| word == "THEN" || word == "ELSE");
-            if !begins {
-                continue;
-            }
-            let next = (at + 1..statement.end).find(|&at| matches!(text.word(at).as_str(), "THEN" | "ELSE"));
-            let rest = at + 1..next.unwrap_or(statement.end);
-            let word = text.word(at);
+        for (at, rest) in commands(text, statement) {
             let conditional = (at > statement.start).then(|| under_condition(line));
-            match word.as_str() {
+            match text.word(at).as_str() {
                 "TOOL" => {
                     let tool = self.tool(&rest, line, program);
                     self.selected.tools.push(offset, conditional.unwrap_or(tool));
@@ -163,19 +157,26 @@ impl Reader<'_> {
                     let frame = self.base(&rest, line, program);
                     self.selected.frames.push(offset, conditional.unwrap_or(frame));
                 }
-                "CMP" | "FSC" | "TRK" => {
-                    let off = text.word(at + 1) == "OFF";
-                    self.guided = (!off).then(|| format!("guided by `{word}` since line {line}"));
-                }
-                _ => {
-                    if let Some(paths) = paths(&word) {
-                        self.moved(&word, paths, &rest, statement);
-                    }
-                }
+                _ => {}
             }
         }
         if text.word(statement.start) == "CALLP" || text.word(statement.start) == "GOSUB" {
             self.selected.joins.push(text.span(statement).end);
+        }
+    }
+
+    /// Makes targets of the moves of a statement. All selections are known: one further down may come round a loop.
+    fn statement(&mut self, statement: &Range<usize>) {
+        let text = self.text;
+        for (at, rest) in commands(text, statement) {
+            let word = text.word(at);
+            if matches!(word.as_str(), "CMP" | "FSC" | "TRK") {
+                let off = text.word(at + 1) == "OFF";
+                let line = text.line(statement.start);
+                self.guided = (!off).then(|| format!("guided by `{word}` since line {line}"));
+            } else if let Some(paths) = paths(&word) {
+                self.moved(&word, paths, &rest, statement);
+            }
         }
     }
 
@@ -270,6 +271,14 @@ impl Reader<'_> {
         position(text, operand, false)
             .map_or_else(|| Err(format!("`{}` is computed", text.show(operand))), |position| pose(&position))
     }
+}
+
+/// The commands of a statement, those behind `Then` and `Else` too: the first token of each, and what follows it.
+fn commands(text: Text<'_>, statement: &Range<usize>) -> Vec<(usize, Range<usize>)> {
+    let divides = |at: usize| matches!(text.word(at).as_str(), "THEN" | "ELSE");
+    let begins = |at: &usize| *at == statement.start || divides(*at - 1);
+    let command = |at: usize| (at, at + 1..(at + 1..statement.end).find(|&at| divides(at)).unwrap_or(statement.end));
+    statement.clone().filter(begins).map(command).collect()
 }
 
 /// True for a label, a branch, a loop, a call.
