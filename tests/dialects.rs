@@ -61,7 +61,7 @@ fn fields(target: &Target) -> Vec<&NumberField> {
         TargetValue::Cartesian(numbers) => numbers.position.iter().chain(&numbers.orientation).collect(),
         TargetValue::Joint(numbers) => numbers.joints.iter().collect(),
         TargetValue::Displaced(displacement) => displacement.position.iter().collect(),
-        TargetValue::Unwritten => Vec::new(),
+        TargetValue::Counts | TargetValue::Unwritten => Vec::new(),
     }
 }
 

@@ -42,7 +42,8 @@ pub struct ShopArgs {
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     allow_partial: Option<bool>,
     /// Give a target that is used with several tools, frames or loads one value for each: copies are put behind the
-    /// declaration and the moves name them (RAPID), or the moves get the value itself (RAPID arrays, Hyundai P)
+    /// declaration and the moves name them (RAPID), or the moves get the value itself (RAPID arrays, Hyundai P, KRL,
+    /// URScript)
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     split_shared: Option<bool>,
     /// Refuse targets outside the joint region that the recordings covered

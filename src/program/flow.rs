@@ -100,7 +100,7 @@ fn joined<const N: usize>(old: Shared<N>, new: &Shared<N>) -> Shared<N> {
         if mine != theirs && !matches!(mine, Some(Reference::Runtime(_))) {
             *mine = Some(match theirs {
                 Some(Reference::Runtime(reason)) => Reference::Runtime(reason.clone()),
-                _ => Reference::Runtime("set differently on different ways to this statement".into()),
+                _ => Reference::disputed(mine.as_ref(), theirs.as_ref()),
             });
         }
     }

@@ -131,6 +131,8 @@ pub enum TargetValue {
     Joint(Box<JointNumbers>),
     /// A constant displacement of another target (RAPID `Offs`, `RelTool`): the numbers are those of the displacement.
     Displaced(Box<Displacement>),
+    /// Joint values as counts of encoders, which only the controller can turn into angles.
+    Counts,
     /// Nothing that could be read: a step without a recorded pose, an expression.
     Unwritten,
 }
@@ -281,6 +283,18 @@ pub enum Reference {
     Runtime(String),
 }
 
+impl Reference {
+    /// Two ways to a statement disagree; `None` for a way that leaves the setting as it was.
+    pub fn disputed(one: Option<&Reference>, other: Option<&Reference>) -> Reference {
+        let shown = |reference: Option<&Reference>| match reference {
+            Some(Reference::Named(name)) => format!("`{name}`"),
+            Some(Reference::Runtime(reason)) => reason.clone(),
+            Some(Reference::Unnamed) | None => "what held before".to_owned(),
+        };
+        Reference::Runtime(format!("{} on one way to this statement, {} on another", shown(one), shown(other)))
+    }
+}
+
 impl Program {
     /// Names are compared without regard to case: the spelling under which definitions are filed.
     pub fn key(name: &str) -> String {
@@ -321,7 +335,7 @@ impl Target {
     /// `cartesian` or `joint`, as reports say it.
     pub fn kind(&self) -> &'static str {
         match self.value {
-            TargetValue::Joint(_) => "joint",
+            TargetValue::Joint(_) | TargetValue::Counts => "joint",
             _ => "cartesian",
         }
     }

@@ -171,7 +171,7 @@ fn target_report(
 ) -> TargetReport {
     let (class, reason) = match result {
         Some(result) => (result.class, result.reason.clone()),
-        None => class_by_text(target),
+        None => class_by_text(program, sources, target),
     };
     let figures = result.and_then(|result| result.figures.as_ref());
     let pose = written_pose(program, &target.value);

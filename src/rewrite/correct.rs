@@ -133,7 +133,7 @@ impl Work<'_> {
 
     fn target(&self, index: usize, arrivals: &[Arrival<'_>], outcomes: &[TargetOutcome]) -> TargetOutcome {
         let target = &self.job.program.targets[index];
-        let (class, reason) = class_by_text(target);
+        let (class, reason) = class_by_text(self.job.program, self.job.sources, target);
         let by_text_alone = match class {
             Class::Corrected => false,
             Class::Joint => !self.options.joint_targets,
@@ -322,7 +322,7 @@ fn write(job: &Job<'_>, model: &ArmModel, outcomes: &mut [TargetOutcome], index:
                     digits::write_position(edits, source, &displacement.position, units, rules, &exact);
                 }
             }
-            TargetValue::Unwritten => {}
+            TargetValue::Counts | TargetValue::Unwritten => {}
         }
     }
     outcomes[index].figures = Some(figures);

@@ -87,7 +87,7 @@ fn replace_names(sources: &[Source], program: &Program, index: usize, mentions: 
     let target = &program.targets[index];
     let value = sources[target.file].slice(target.span);
     // What is written by a function (`Pose(..)`) cannot be told to stand everywhere.
-    if !matches!(value.first(), Some(b'(' | b'[')) {
+    if !matches!(value, [b'(' | b'[' | b'{', ..] | [b'p', b'[', ..]) {
         return;
     }
     let mut mentions = mentions.to_vec();

@@ -11,7 +11,7 @@ use crate::kinematics::controller::Controller;
 use crate::model::robot::DOF;
 use crate::program::target::{Configuration, PathKind, Program, TargetValue};
 
-use super::class::{Class, class_by_text};
+use super::class::{Class, class_by_value};
 use super::setting::{Obstacle, Setting, Settings};
 
 /// One arrival at a target.
@@ -36,7 +36,7 @@ const STILL_RAD: f64 = 1e-7;
 pub fn follow(program: &Program, settings: &mut Settings<'_>, controller: &Controller) -> Vec<Visit> {
     let mut arrivals: Vec<(usize, usize)> = Vec::new();
     for (index, target) in program.targets.iter().enumerate() {
-        let (class, _) = class_by_text(target);
+        let (class, _) = class_by_value(target);
         if class == Class::Corrected || class == Class::Joint {
             let moves = target.uses.iter().enumerate().filter(|(_, one)| one.computed.is_none());
             arrivals.extend(moves.map(|(one_use, _)| (index, one_use)));
@@ -112,11 +112,18 @@ fn arrive(
         Err(obstacle) => return (written, Err(obstacle.clone())),
     };
     let flange = setting.nominal_flange(&written);
+    let distance_m = flange.translation.norm();
+    if distance_m.is_nan() || distance_m > FARTHEST_M {
+        return (written, Err(Obstacle::refused("out of reach: its numbers are no place on earth")));
+    }
     match controller.solve(&flange, &wish(&target.configuration), previous.as_ref()) {
         Ok(choice) => (written, Ok(choice.numbers_rad)),
         Err(error) => (written, Err(Obstacle::refused(error.to_string()))),
     }
 }
+
+/// Whatever stands farther away is a slip of the pen; squares of its numbers would leave what a double holds.
+const FARTHEST_M: f64 = 1e7;
 
 /// A joint target at its limit is written with rounded degrees.
 const LIMIT_SLACK_RAD: f64 = 1e-4;
@@ -131,7 +138,7 @@ pub fn written_pose(program: &Program, value: &TargetValue) -> Option<Pose> {
             };
             Some(super::displaced::displaced(&base.pose()?, displacement))
         }
-        TargetValue::Joint(_) | TargetValue::Unwritten => None,
+        TargetValue::Joint(_) | TargetValue::Counts | TargetValue::Unwritten => None,
     }
 }
 

@@ -254,7 +254,18 @@ fn what_has_no_name_to_spare_is_split_by_its_value() {
          S1   MOVE L,P1,S=60%,A=0,T=1\nS2   MOVE L,P1,S=60%,A=0,T=2\n     END\n"
     );
     bench.write("0001.JOB", &job);
+    let aggregate = "{X 1500.0,Y 100.0,Z 1200.0,A 0.0,B 0.0,C 180.0}";
+    let routine = format!(
+        "DEF job( )\nDECL E6POS XP1\n$BASE=$WORLD\nXP1={aggregate}\n$TOOL=TOOL_DATA[1]\nLIN XP1 C_DIS\n\
+         $TOOL=TOOL_DATA[2]\nLIN XP1\nEND\n"
+    );
+    bench.write("job.src", &routine);
+    let script = "def job():\n  p1=p[1.5,0.1,1.2,3.1415926,0,0]\n  set_tcp(p[0,0,0.2,0,0,0])\n  movel(p1,a=1)\n  \
+                  set_tcp(p[0.08,0,0.26,0,0,0])\n  movel(p1,a=2)\nend\n";
+    bench.write("job.script", script);
     for (name, by_value) in [
+        ("job.src", routine.replace("LIN XP1\n", &format!("LIN {aggregate}\n"))),
+        ("job.script", script.replace("movel(p1,a=2)", "movel(p[1.5,0.1,1.2,3.1415926,0,0],a=2)")),
         ("array.mod", array.replace("p{2},v1,z1,t2", &format!("{REACHED},v1,z1,t2"))),
         ("0001.JOB", job.replace("P1,S=60%,A=0,T=2", &format!("{pose},S=60%,A=0,T=2"))),
     ] {
@@ -272,4 +283,13 @@ fn what_has_no_name_to_spare_is_split_by_its_value() {
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
         assert_eq!(text(bench.read(&format!("out-{name}"))), text(by_hand.stdout));
     }
+}
+
+#[test]
+fn a_target_with_an_absurd_number_is_refused_like_any_out_of_reach() {
+    let bench = Bench::new();
+    bench.write("job.mod", program(&REACHED.replace("1500", "251E222"), "tGun"));
+    let run = bench.run(&["correct", "--model", "model.yaml", "job.mod", "-o", "out.mod"]);
+    assert_eq!(run.status, Some(1), "{}", run.stderr);
+    assert!(run.stderr.contains("out of reach") && !bench.path("out.mod").exists(), "{}", run.stderr);
 }

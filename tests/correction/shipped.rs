@@ -300,7 +300,7 @@ fn fields(value: &TargetValue) -> Vec<&NumberField> {
     match value {
         TargetValue::Cartesian(numbers) => numbers.position.iter().chain(&numbers.orientation).collect(),
         TargetValue::Joint(numbers) => numbers.joints.iter().collect(),
-        TargetValue::Displaced(_) | TargetValue::Unwritten => Vec::new(),
+        TargetValue::Displaced(_) | TargetValue::Counts | TargetValue::Unwritten => Vec::new(),
     }
 }
 
@@ -308,7 +308,7 @@ fn has_columns(value: &TargetValue) -> bool {
     match value {
         TargetValue::Cartesian(numbers) => numbers.position.iter().any(|field| field.column.is_some()),
         TargetValue::Joint(numbers) => numbers.joints.iter().any(|field| field.column.is_some()),
-        TargetValue::Displaced(_) | TargetValue::Unwritten => false,
+        TargetValue::Displaced(_) | TargetValue::Counts | TargetValue::Unwritten => false,
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::base::text::Source;
 use crate::geometry::pose::Pose;
-use crate::program::dialect::script::{Position, Positions, Selected, Text, Tokens};
+use crate::program::dialect::script::{Position, Positions, Selected, Text, Tokens, under_condition};
 use crate::program::target::{Definition, FrameData, PathKind, Program, Reference, TargetValue, ToolData, Use};
 
 use super::LEXIS;
@@ -29,8 +29,9 @@ pub(super) fn read(sources: &[Source]) -> Program {
         let mut reader = Reader { file, text, names, positions: Positions::new(file), selected: Selected::default() };
         tokens.statements.iter().for_each(|statement| reader.assign(statement));
         for statement in &tokens.statements {
-            reader.statement(statement, &mut program);
+            reader.select(statement, &mut program);
         }
+        tokens.statements.iter().for_each(|statement| reader.statement(statement));
         reader.positions.finish(&mut program);
     }
     program
@@ -74,19 +75,40 @@ impl Reader<'_> {
         self.positions.define(&key, &shown, given, line);
     }
 
-    fn statement(&mut self, statement: &Range<usize>, program: &mut Program) {
+    /// Notes the tools and frames that a statement selects or defines, and where ways meet.
+    fn select(&mut self, statement: &Range<usize>, program: &mut Program) {
         let text = self.text;
         let offset = text.span(statement).start;
         if text.is(statement.start, b'*') || JOINING.contains(&text.word(statement.start).as_str()) {
             self.selected.joins.push(offset);
         }
-        // One-line branches hold statements of their own.
-        let begins = |at: usize| at == statement.start || matches!(text.word(at - 1).as_str(), "THEN" | "ELSE");
-        for at in statement.clone().filter(|&at| begins(at)) {
-            let other = (at + 1..statement.end).find(|&at| matches!(text.word(at).as_str(), "THEN" | "ELSE" | "ENDIF"));
-            let end = other.unwrap_or(statement.end);
-            let (inner, rest) = (at..end, at + 1..end);
-            match text.word(at).as_str() {
+        for inner in commands(text, statement) {
+            let rest = inner.start + 1..inner.end;
+            let conditional = (inner.start > statement.start).then(|| under_condition(text.line(statement.start)));
+            match text.word(inner.start).as_str() {
+                "CHANGETOOL" => {
+                    let tool = numbered(text, &rest, "tool");
+                    self.selected.tools.push(offset, conditional.unwrap_or(tool));
+                }
+                "CHANGEWORK" => {
+                    let frame = numbered(text, &rest, "work coordinate system");
+                    self.selected.frames.push(offset, conditional.unwrap_or(frame));
+                }
+                word @ ("TOOL" | "WORK") => self.defined(word == "TOOL", &rest, program),
+                _ => {}
+            }
+        }
+        if matches!(text.word(statement.start).as_str(), "GOSUB" | "CALL") {
+            self.selected.joins.push(text.span(statement).end);
+        }
+    }
+
+    /// Makes targets of the moves of a statement. All selections are known: one further down may come round a loop.
+    fn statement(&mut self, statement: &Range<usize>) {
+        let text = self.text;
+        for inner in commands(text, statement) {
+            let rest = inner.start + 1..inner.end;
+            match text.word(inner.start).as_str() {
                 "MOVE" => {
                     for (goal, path) in goals(text, &inner) {
                         self.go(&goal, path, "MOVE", statement, None);
@@ -108,14 +130,8 @@ impl Reader<'_> {
                     let one = self.one(word, PathKind::Other, statement, None);
                     self.positions.go_inline(Position::plain(text.span(statement), Err(reason)), one);
                 }
-                "CHANGETOOL" => self.selected.tools.push(offset, numbered(text, &rest, "tool")),
-                "CHANGEWORK" => self.selected.frames.push(offset, numbered(text, &rest, "work coordinate system")),
-                word @ ("TOOL" | "WORK") => self.defined(word == "TOOL", &rest, program),
                 _ => {}
             }
-        }
-        if matches!(text.word(statement.start).as_str(), "GOSUB" | "CALL") {
-            self.selected.joins.push(text.span(statement).end);
         }
     }
 
@@ -183,6 +199,14 @@ impl Reader<'_> {
         let (key, _) = self.names.variable(text, range).ok_or_else(|| format!("`{}` is computed", text.show(range)))?;
         self.positions.value(&key, &text.show(range)).and_then(pose)
     }
+}
+
+/// The commands of a statement, those of one-line branches too.
+fn commands(text: Text<'_>, statement: &Range<usize>) -> Vec<Range<usize>> {
+    let begins = |at: &usize| *at == statement.start || matches!(text.word(*at - 1).as_str(), "THEN" | "ELSE");
+    let divides = |at: &usize| matches!(text.word(*at).as_str(), "THEN" | "ELSE" | "ENDIF");
+    let command = |at: usize| at..(at + 1..statement.end).find(divides).unwrap_or(statement.end);
+    statement.clone().filter(begins).map(command).collect()
 }
 
 fn numbered(text: Text<'_>, operand: &Range<usize>, what: &str) -> Reference {

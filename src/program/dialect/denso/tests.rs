@@ -102,3 +102,24 @@ fn only_pac_is_recognised() {
         assert!(!is(text), "{text}");
     }
 }
+
+#[test]
+fn a_tool_under_a_condition_is_known_only_at_run_time() {
+    let read = program(
+        "PROGRAM PRO1\r\nCHANGETOOL 1\r\nMOVE L, @P (400,0,300,180,0,180)\r\nIF IO[10] = ON THEN CHANGETOOL 2\r\n\
+         MOVE L, @P (401,0,300,180,0,180)\r\nCHANGETOOL 1\r\nMOVE L, @P (402,0,300,180,0,180)\r\nEND\r\n",
+    );
+    let tools: Vec<_> = read.targets.iter().map(|target| target.uses[0].tool.clone()).collect();
+    let one = Reference::Named("1".into());
+    assert_eq!(tools, [one.clone(), Reference::Runtime("set under a condition in line 4".into()), one]);
+}
+
+#[test]
+fn a_tool_that_is_selected_further_down_in_a_loop_comes_round() {
+    let read = program(
+        "PROGRAM PRO1\r\nCHANGETOOL 1\r\nDO\r\nMOVE L, @P (400,0,300,180,0,180)\r\nCHANGETOOL 2\r\n\
+         MOVE L, @P (401,0,300,180,0,180)\r\nLOOP\r\nEND\r\n",
+    );
+    assert!(matches!(read.targets[0].uses[0].tool, Reference::Runtime(_)));
+    assert_eq!(read.targets[1].uses[0].tool, Reference::Named("2".into()));
+}

@@ -6,7 +6,9 @@ use std::sync::Arc;
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Source;
 use crate::geometry::orientation::OrientationConvention;
-use crate::program::dialect::script::{Kind, Position, Positions, Selected, Text, Tokens, joints_of, pose_of};
+use crate::program::dialect::script::{
+    Kind, Position, Positions, Selected, Text, Tokens, joints_of, pose_of, under_condition,
+};
 use crate::program::target::{PathKind, Program, Reference, TargetValue, Use};
 
 use super::LEXIS;
@@ -68,16 +70,20 @@ fn selected(text: Text<'_>, tokens: &Tokens) -> Selected {
             selected.joins.push(offset);
             depth = indent;
         }
+        // `if ready: set_tcp("gun")`
+        let opens = matches!(text.word(statement.start).as_str(), "IF" | "ELIF" | "ELSE" | "FOR" | "WHILE" | "EXCEPT");
+        let conditional = opens.then(|| under_condition(text.line(statement.start)));
         for at in text.calls(statement) {
             let word = text.word(at);
             let first = || text.parts(at + 1, statement.end).and_then(|(parts, _)| parts.first().cloned());
             match word.as_str() {
                 "SET_TCP" => {
-                    selected.tools.push(offset, first().map_or(Reference::Unnamed, |range| tool(text, &range)))
+                    let tool = first().map_or(Reference::Unnamed, |range| tool(text, &range));
+                    selected.tools.push(offset, conditional.clone().unwrap_or(tool));
                 }
                 "SET_REF_COORD" => {
                     let frame = first().map(|range| value_of(text, &range)).map(|range| reference(text, &range));
-                    selected.frames.push(offset, frame.unwrap_or_default());
+                    selected.frames.push(offset, conditional.clone().unwrap_or(frame.unwrap_or_default()));
                 }
                 _ if functions.contains(&word) && !defines(statement) => {
                     selected.joins.push(text.span(statement).end);

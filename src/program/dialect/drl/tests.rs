@@ -118,3 +118,14 @@ fn only_drl_is_recognised() {
         assert!(!is(text), "{text}");
     }
 }
+
+#[test]
+fn a_tcp_under_a_condition_in_one_line_is_known_only_at_run_time() {
+    let read = program(
+        "set_tcp(\"a\")\nmovel(posx(1,2,3,0,180,0))\nif ready: set_tcp(\"b\")\nmovel(posx(4,5,6,0,180,0))\n\
+         set_tcp(\"a\")\nmovel(posx(7,8,9,0,180,0))\n",
+    );
+    let tools: Vec<_> = read.targets.iter().map(|target| target.uses[0].tool.clone()).collect();
+    let a = Reference::Named("a".into());
+    assert_eq!(tools, [a.clone(), Reference::Runtime("set under a condition in line 3".into()), a]);
+}

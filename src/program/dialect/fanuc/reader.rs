@@ -110,6 +110,16 @@ impl<'a> One<'a> {
             let ends = cursor.rest().to_ascii_uppercase().windows(3).any(|word| word == b"END");
             *touch_offset = (!ends).then(|| format!("displaced by touch sensing since line {line}"));
         }
+        if begins(&["IF"]) {
+            // `IF (DI[1]),UTOOL_NUM=2`: selected under a condition.
+            let text = cursor.rest().to_ascii_uppercase();
+            let reason = || Reference::Runtime(format!("set under a condition in line {line}"));
+            for (word, selections) in [(&b"UFRAME_NUM"[..], &mut self.frames), (b"UTOOL_NUM", &mut self.tools)] {
+                if text.windows(word.len() + 1).any(|found| found.starts_with(b",") && &found[1..] == word) {
+                    selections.push(start, reason());
+                }
+            }
+        }
         let Some(name) = cursor.name().map(|name| cursor.slice(name).to_ascii_uppercase()) else { return };
         let inside = bracket(&mut cursor);
         let number = inside.and_then(|inside| index(cursor.slice(inside)));

@@ -199,3 +199,14 @@ fn only_fanuc_programs_are_recognised() {
         assert!(!is(text), "{text}");
     }
 }
+
+#[test]
+fn a_frame_selected_under_a_condition_is_known_only_at_run_time() {
+    let frame = |statements: &[&str]| {
+        let (_, program) = program(statements, &[point(1, HEAD, "900.000")]);
+        named(&program, "P[1]").uses[0].frame.clone()
+    };
+    assert_eq!(frame(&["  UFRAME_NUM=1 ;", "L P[1] 100mm/sec FINE ;"]), Reference::Named("1".into()));
+    let conditional = frame(&["  UFRAME_NUM=1 ;", "  IF (DI[1]),UFRAME_NUM=2 ;", "L P[1] 100mm/sec FINE ;"]);
+    assert!(matches!(conditional, Reference::Runtime(_)));
+}

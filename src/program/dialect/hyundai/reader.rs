@@ -5,6 +5,7 @@ use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
 use crate::program::number::starts_with_word;
 use crate::program::scan::Cursor;
+use crate::program::selection::Selections;
 use crate::program::target::Program;
 
 use super::arc::pair_up;
@@ -14,7 +15,7 @@ use super::expression::name;
 use super::header::{Header, header};
 use super::motion::{Motion, motion};
 use super::resolve::Resolver;
-use super::selection::{Selections, is_branch};
+use super::selection::{Ways, selected};
 use super::statement::{Statement, statements};
 use super::variable::{Variables, assignment, only_reads};
 
@@ -28,8 +29,8 @@ pub(super) struct JobFile {
     pub user_frames: Selections,
     /// `seltool n,robot`.
     pub tools: Selections,
-    /// It has branches, so that the order of the text is not the order of the program.
-    pub branches: bool,
+    /// Where ways of the program meet, by offset.
+    pub joins: Vec<usize>,
     /// It has an `END`.
     pub ends: bool,
     /// Its last statement.
@@ -81,20 +82,21 @@ fn read_file(index: usize, source: &Source, shared: &mut Shared) -> JobFile {
         motions: Vec::new(),
         user_frames: Selections::default(),
         tools: Selections::default(),
-        branches: false,
+        joins: Vec::new(),
         ends: false,
         last_statement: Span::default(),
     };
+    let mut ways = Ways::default();
     for statement in statements(source, &file.header) {
         let Statement { span, body, .. } = statement;
         let text = &bytes[body.start..body.end];
         let place = Place { file: index, span, line: source.line(span.start) };
         file.last_statement = span;
+        ways.note(bytes, &statement);
         if let Some(motion) = motion(bytes, body, file.header.total_axes) {
             file.motions.push((statement, motion));
             continue;
         }
-        file.branches |= is_branch(bytes, body);
         file.ends |= starts_with_word(text, "END");
         if let Some(assigned) = assignment(bytes, body) {
             if !shared.definitions.assign(bytes, place, &assigned) {
@@ -108,6 +110,7 @@ fn read_file(index: usize, source: &Source, shared: &mut Shared) -> JobFile {
             }
         }
     }
+    file.joins = ways.finish();
     file
 }
 
@@ -116,7 +119,7 @@ fn select(bytes: &[u8], body: Span, file: &mut JobFile) -> bool {
     let mut cursor = Cursor::new(bytes, body);
     let offset = body.start;
     if cursor.eat_word("SELUCRD") {
-        file.user_frames.push(offset, &String::from_utf8_lossy(cursor.rest()));
+        file.user_frames.push(offset, selected(&String::from_utf8_lossy(cursor.rest())));
         return true;
     }
     if !cursor.eat_word("SELTOOL") {
@@ -125,7 +128,7 @@ fn select(bytes: &[u8], body: Span, file: &mut JobFile) -> bool {
     let text = String::from_utf8_lossy(cursor.rest());
     let (number, kind) = text.split_once(',').unwrap_or((&text, "robot"));
     if kind.trim().eq_ignore_ascii_case("robot") {
-        file.tools.push(offset, number);
+        file.tools.push(offset, selected(number));
     }
     true
 }

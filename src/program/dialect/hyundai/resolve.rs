@@ -10,6 +10,7 @@ use super::checks;
 use super::expression::{Goal, Name};
 use super::motion::Motion;
 use super::reader::JobFile;
+use super::selection::in_force;
 use super::statement::Statement;
 use super::target::target;
 use super::variable::Variables;
@@ -163,7 +164,7 @@ impl Step<'_> {
     }
 
     fn usage(&self, frame: Reference) -> Use {
-        let selected = || self.file.tools.in_force(self.statement.span.start, self.file.branches);
+        let selected = || in_force(&self.file.tools, self.statement.span.start, &self.file.joins);
         Use {
             file: self.index,
             span: self.statement.span,
@@ -185,7 +186,7 @@ impl Step<'_> {
         match coordinates {
             Coordinates::User(Some(number)) => named(&number.to_string()),
             Coordinates::User(None) => {
-                match self.file.user_frames.in_force(self.statement.span.start, self.file.branches) {
+                match in_force(&self.file.user_frames, self.statement.span.start, &self.file.joins) {
                     Some(Reference::Named(number)) => named(&number),
                     Some(other) => other,
                     None => Reference::Runtime("the user frame is selected outside of the job".to_owned()),

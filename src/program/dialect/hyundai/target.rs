@@ -16,7 +16,7 @@ pub(super) fn target(file: usize, name: Option<String>, pose: &WrittenPose) -> T
     let value = match (pose.coordinates.clone(), six(&pose.axes)) {
         (Coordinates::Encoder, _) => {
             computed.get_or_insert_with(|| "encoder counts, which only the controller can turn into angles".to_owned());
-            TargetValue::Unwritten
+            TargetValue::Counts
         }
         (Coordinates::Tool, _) => {
             computed.get_or_insert_with(|| "tool coordinates: relative to where the arm stands".to_owned());

@@ -113,7 +113,7 @@ fn encoder_counts_missing_poses_and_shifts_are_computed() {
     let of_use: Vec<bool> = program.targets.iter().map(|target| target.uses[0].computed.is_some()).collect();
     assert_eq!(of_target, [true, true, false, false, false, true]);
     assert_eq!(of_use, [false, false, true, true, true, false]);
-    assert!(matches!(program.targets[0].value, TargetValue::Unwritten));
+    assert!(matches!(program.targets[0].value, TargetValue::Counts));
     assert_eq!(program.targets[3].name.as_deref(), Some("S4"));
     assert_eq!(&*program.targets[3].uses[0].motion, "SMOV C");
     assert!(matches!(program.targets[4].uses[0].tool, Reference::Runtime(_)));
@@ -230,8 +230,19 @@ fn the_selected_user_frame_holds_for_poses_without_a_number() {
     assert_eq!(frame(&format!("     SELUCRD 3\r\n{step}")), Reference::Named("3".into()));
     assert_eq!(frame(&format!("     SELUCRD 1\r\n     SELUCRD 3\r\n{step}")), Reference::Named("3".into()));
     assert_eq!(frame(&format!("     SELUCRD 0\r\n{step}")), Reference::Unnamed);
-    let branching = frame(&format!("     SELUCRD 1\r\n     IF DI1 THEN 10\r\n     SELUCRD 3\r\n{step}"));
-    assert!(matches!(branching, Reference::Runtime(_)));
+    let open = |body: &str| matches!(frame(&format!("     SELUCRD 1\r\n{body}\r\n{step}")), Reference::Runtime(_));
+    assert!(open("     IF DI1 THEN 10\r\n     SELUCRD 3"));
+    assert!(open("     IF DI1 THEN S1\r\n     SELUCRD 3"));
+    assert!(open("     IF DI1 THEN SELUCRD 3"));
+    assert!(open("     IF DI1 THEN\r\n     SELUCRD 3\r\n     ENDIF"));
+    assert!(open("     SELUCRD 3\r\n     CALL 12"));
+    // A jump past the step, and branches before the last selection, change nothing.
+    let known = |body: &str| frame(&format!("     SELUCRD 1\r\n{body}\r\n{step}\r\n90   STOP"));
+    assert_eq!(known("     IF DI1 THEN 90\r\n     SELUCRD 3"), Reference::Named("3".into()));
+    assert_eq!(
+        known("     IF DI1 THEN\r\n     SELUCRD 2\r\n     ENDIF\r\n     SELUCRD 3"),
+        Reference::Named("3".into())
+    );
     assert!(matches!(frame(&format!("     SELUCRD V1%\r\n{step}")), Reference::Runtime(_)));
     assert!(matches!(frame(&step), Reference::Runtime(_)));
 }

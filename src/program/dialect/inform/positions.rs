@@ -153,7 +153,7 @@ impl PositionReader {
         let six: Result<[NumberField; 6], _> = fields.try_into();
         let (value, computed) = match (self.coordinates, six) {
             (Coordinates::Pulse, _) => (
-                TargetValue::Unwritten,
+                TargetValue::Counts,
                 Some("pulse counts: the robot file does not hold the pulses of a degree".to_owned()),
             ),
             (Coordinates::Other, _) => (

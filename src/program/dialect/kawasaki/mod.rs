@@ -29,6 +29,7 @@ mod section;
 mod selection;
 mod statement;
 mod target;
+mod ties;
 mod value;
 
 #[cfg(test)]
@@ -37,6 +38,7 @@ mod tests;
 use crate::base::text::{Encoding, Source};
 use crate::program::number::NumberRules;
 use crate::program::target::Program;
+use crate::program::ties::Ties;
 
 use super::{Dialect, Meta};
 
@@ -62,5 +64,9 @@ impl Dialect for Kawasaki {
 
     fn read(&self, files: &[Source]) -> Program {
         reader::read(files)
+    }
+
+    fn ties(&self, source: &Source) -> Ties {
+        ties::ties(source)
     }
 }

@@ -1,8 +1,10 @@
 //! The reader as a whole, on small programs.
 
 use crate::base::text::Source;
+use crate::program::dialect::Dialect;
 use crate::program::target::{DisplacementKind, PathKind, Program, Reference, Target, TargetValue};
 
+use super::Kawasaki;
 use super::reader::read;
 use super::section::recognises;
 
@@ -174,4 +176,19 @@ fn only_as_is_recognised() {
     for text in ["", ".PROGRAM a()", "/PROG A\n/MN\n.END", ".end", "PROC a()\n.PROGRAM x\n.END", ".TRANS 5\n.END\n"] {
         assert!(!is(text), "{text}");
     }
+}
+
+#[test]
+fn locations_that_are_saved_apart_belong_to_the_programs_beside_them() {
+    let programs = ".PROGRAM main()\nTOOL t1\nLMOVE p1\nJMOVE #home\nLMOVE .here\nLMOVE pal[i]\nCALL sub(p2)\n.END\n";
+    let locations = ".TRANS\np1 1 2 3 0 180 0\npal[1] 1 2 3 0 180 0\np2 1 2 3 0 180 0\nt1 0 0 100 0 0 0\n.END\n.JOINTS\n\
+                     #home 0 0 0 0 0 0\nother 1 2 3 4 5 6\n.END\n";
+    let ties = |text: &str| Kawasaki.ties(&Source::new("t.as", text));
+    let (taker, giver) = (ties(programs), ties(locations));
+    assert!(giver.takes.is_empty() && giver.gives.len() == 6 && giver.gives.iter().all(|given| given.is_position));
+    let taken = giver.gives.iter().filter(|given| taker.takes.contains(&given.name)).count();
+    assert_eq!((taken, taker.takes.len()), (5, 5));
+    // A whole save gives none of its locations: it may be that of another robot.
+    let whole = ties(&format!("{programs}{locations}"));
+    assert!(whole.takes.is_empty() && whole.gives == taker.gives);
 }

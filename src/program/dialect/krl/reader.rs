@@ -48,9 +48,7 @@ pub(super) fn read(sources: &[Source]) -> Program {
     }
     let mut program = Program::default();
     checks::open_values(&job, &mut targets);
-    let (found, diagnostics) = targets.finish();
-    program.targets = found;
-    program.diagnostics = diagnostics;
+    targets.finish(&mut program);
     program.diagnostics.extend(checks::foreign_calls(&job, &states));
     program.diagnostics.extend(checks::open_ends(&job));
     program.diagnostics.extend(checks::metres(&program.targets));

@@ -23,7 +23,7 @@ pub(super) const TOOL: usize = 0;
 pub(super) const BASE: usize = 1;
 /// `$LOAD`
 pub(super) const LOAD: usize = 2;
-/// `$IPO_MODE`: `Named("tcp")` for a stationary tool.
+/// `$IPO_MODE`: `Named("tcp")` for a stationary tool; nothing set is `#BASE`.
 pub(super) const MODE: usize = 3;
 /// The last routine called that is not in the job.
 pub(super) const FOREIGN: usize = 4;
@@ -166,7 +166,7 @@ impl<'j, 'a> Setter<'j, 'a> {
             b"#initmov" => vec![
                 (TOOL, self.frames.by_number(routine, Role::Tool, 1)),
                 (BASE, self.frames.by_number(routine, Role::Base, 0)),
-                (MODE, Reference::Named("base".into())),
+                (MODE, Reference::Unnamed),
             ],
             b"#tool" => match number(self) {
                 Some(Ok(number)) => vec![
@@ -228,11 +228,11 @@ impl<'j, 'a> Setter<'j, 'a> {
         let expression = trimmed(bytes, expression);
         let text = &bytes[expression.start..expression.end];
         if let Some(constant) = text.strip_prefix(b"#") {
-            return Reference::Named(String::from_utf8_lossy(constant).to_lowercase().into());
+            return mode_named(&String::from_utf8_lossy(constant).to_lowercase());
         }
         match self.member_of_data(routine, file, expression) {
             Ok((data, member)) => match data.get(&member) {
-                Some(Value::Constant(mode)) => Reference::Named(mode.as_str().into()),
+                Some(Value::Constant(mode)) => mode_named(mode),
                 _ => Reference::Runtime("$IPO_MODE is known only at run time".into()),
             },
             Err(reason) => Reference::Runtime(reason),
@@ -283,8 +283,8 @@ impl<'j, 'a> Setter<'j, 'a> {
 /// The interpolation mode of frame data; one without it means the base.
 fn mode_of(data: &Aggregate) -> Reference {
     match data.get("ipo_frame") {
-        Some(Value::Constant(mode)) => Reference::Named(mode.as_str().into()),
-        None => Reference::Named("base".into()),
+        Some(Value::Constant(mode)) => mode_named(mode),
+        None => Reference::Unnamed,
         Some(_) => Reference::Runtime("IPO_FRAME of the frame data is known only at run time".into()),
     }
 }
@@ -309,4 +309,9 @@ fn without_approximation(bytes: &[u8], value: Span) -> Span {
         true => trimmed(bytes, Span::new(value.start, value.start + last_word)),
         false => value,
     }
+}
+
+/// A mode by its word: `base` is what holds where nothing is set, so that ways on which it is set agree with others.
+fn mode_named(word: &str) -> Reference {
+    if word == "base" { Reference::Unnamed } else { Reference::Named(word.into()) }
 }

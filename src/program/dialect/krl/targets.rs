@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Span;
 use crate::program::flow::State;
-use crate::program::target::{Configuration, PathKind, Reference, Target, TargetValue, Use};
+use crate::program::target::{Configuration, Mention, PathKind, Program, Reference, Target, TargetValue, Use};
 
 use super::aggregate::Unclosed;
 use super::frames::Frames;
@@ -43,6 +43,8 @@ pub(super) struct Targets<'j, 'a> {
     pub targets: Vec<Target>,
     /// Findings so far.
     pub diagnostics: Vec<Diagnostic>,
+    /// Where motions name a target.
+    mentions: Vec<(usize, Mention)>,
     by_element: HashMap<Element, usize>,
     /// Targets whose status and turn count: see [`Targets::finish`].
     configured: Vec<bool>,
@@ -59,6 +61,7 @@ impl<'j, 'a> Targets<'j, 'a> {
             variables,
             targets: Vec::new(),
             diagnostics: Vec::new(),
+            mentions: Vec::new(),
             by_element: HashMap::new(),
             configured: Vec::new(),
             indexed_uses: 0,
@@ -107,12 +110,12 @@ impl<'j, 'a> Targets<'j, 'a> {
         }
     }
 
-    /// The targets in the order of the files.
+    /// Gives the program its targets, in the order of the files, and what there was to say about them.
     ///
     /// Continuous motions keep the status of their start and ignore status and turn of their goal: those count only
     /// where some motion travels point to point, or where it is not known from where it starts. Axes that no target of
     /// the job moves are not there.
-    pub fn finish(mut self) -> (Vec<Target>, Vec<Diagnostic>) {
+    pub fn finish(mut self, program: &mut Program) {
         let moving: Vec<String> = self
             .targets
             .iter()
@@ -127,8 +130,12 @@ impl<'j, 'a> Targets<'j, 'a> {
                 target.configuration = Configuration::default();
             }
         }
+        let place = |target: usize| (self.targets[target].file, self.targets[target].span);
+        let mentions: Vec<_> = self.mentions.iter().map(|(target, mention)| (place(*target), *mention)).collect();
         self.targets.sort_by_key(|target| (target.file, target.span));
-        (self.targets, self.diagnostics)
+        program.targets = self.targets;
+        program.diagnostics = self.diagnostics;
+        program.note_replaceable(&mentions);
     }
 
     fn named(&mut self, step: &Step<'_>, named: &reference::Reference) -> Vec<usize> {
@@ -139,7 +146,9 @@ impl<'j, 'a> Targets<'j, 'a> {
         }
         let scope = self.variables.scope(self.job, step.routine, &named.base);
         if let Some(element) = named.element() {
-            return vec![self.element(step, (scope, element), &text, named.span)];
+            let target = self.element(step, (scope, element), &text, named.span);
+            self.mentions.push((target, (step.statement.file, named.span)));
+            return vec![target];
         }
         let elements = self.variables.elements(scope, &named.base);
         if elements.is_empty() || self.indexed_uses + elements.len() > MOST_INDEXED_USES {

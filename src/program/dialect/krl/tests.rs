@@ -228,3 +228,15 @@ fn reading_takes_time_in_proportion_to_the_text() {
         assert!(started.elapsed().as_secs() < 10);
     }
 }
+
+#[test]
+fn an_initial_move_under_a_condition_leaves_the_interpolation_mode_as_it_is() {
+    let setting = |before: &str| {
+        let body = format!("{before}\n$TOOL=TOOL_DATA[2]\n$BASE=BASE_DATA[1]\nLIN {HERE}");
+        let one = read(&body).targets[0].uses[0].clone();
+        (spoken(&one.tool), spoken(&one.frame))
+    };
+    assert_eq!(setting("IF $T1 THEN\nBAS(#INITMOV,0)\nENDIF"), ("2".into(), "1".into()));
+    assert_eq!(setting("IF $T1 THEN\n$IPO_MODE=#BASE\nENDIF"), ("2".into(), "1".into()));
+    assert_eq!(setting("IF $T1 THEN\n$IPO_MODE=#TCP\nENDIF"), ("?".into(), "?".into()));
+}

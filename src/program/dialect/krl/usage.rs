@@ -43,7 +43,10 @@ pub(super) fn usage(step: &Step<'_>, path: PathKind, frames: &Frames<'_, '_>, se
     };
     let (tool, base) = (known(TOOL, "$TOOL"), known(BASE, "$BASE"));
     let (tool, frame) = match setting(MODE) {
-        Reference::Runtime(reason) => (Reference::Runtime(reason.clone()), Reference::Runtime(reason)),
+        Reference::Runtime(reason) => {
+            let reason = format!("$IPO_MODE: {reason}");
+            (Reference::Runtime(reason.clone()), Reference::Runtime(reason))
+        }
         Reference::Named(mode) if &*mode == "tcp" => stationary(tool, base, frames, settings),
         _ => (held_tool(tool, frames, settings), standing_base(base, frames, settings)),
     };

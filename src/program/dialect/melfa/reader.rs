@@ -1,12 +1,12 @@
 //! The files of a job into targets.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
 
 use crate::base::text::Source;
 use crate::geometry::pose::Pose;
-use crate::program::dialect::script::{Kind, Position, Positions, Selected, Text, Tokens};
+use crate::program::dialect::script::{Kind, Position, Positions, Selected, Text, Tokens, under_condition};
 use crate::program::target::{Definition, FrameData, PathKind, Program, Reference, TargetValue, ToolData, Use};
 
 use super::LEXIS;
@@ -27,12 +27,18 @@ pub(super) fn read(sources: &[Source]) -> Program {
         let statements: Vec<Range<usize>> = tokens.statements.iter().map(|one| body(text, one)).collect();
         let mut reader =
             Reader { file, text, positions: Positions::new(file), selected: Selected::default(), guided: None };
+        let jumped_to = jumped_to(text, &statements);
         let list = list_of_positions(text, &statements);
         statements[..list].iter().for_each(|statement| reader.assign(statement));
         reader.settle(&statements[..list], &statements[list..]);
-        for statement in &statements {
-            reader.statement(statement, &mut program);
+        for (whole, statement) in tokens.statements.iter().zip(&statements) {
+            let numbered = whole.start < statement.start;
+            if numbered && jumped_to.contains(&text.show(&(whole.start..whole.start + 1))) {
+                reader.selected.joins.push(text.span(statement).start);
+            }
+            reader.select(statement, &mut program);
         }
+        statements.iter().for_each(|statement| reader.statement(statement));
         reader.positions.finish(&mut program);
     }
     program
@@ -44,6 +50,20 @@ fn list_of_positions(text: Text<'_>, statements: &[Range<usize>]) -> usize {
         assigned(text, statement).is_some_and(|(_, value)| position(text, &value, false).is_some())
     };
     statements.iter().rposition(|statement| !saved(statement)).map_or(0, |last| last + 1)
+}
+
+/// The line numbers that jumps name: `GOTO 100`, `IF .. THEN 100`, `ON M1 GOSUB 100,200`.
+fn jumped_to(text: Text<'_>, statements: &[Range<usize>]) -> HashSet<String> {
+    let mut found = HashSet::new();
+    for statement in statements {
+        let jumps = |at: &usize| matches!(text.word(*at).as_str(), "GOTO" | "GOSUB" | "THEN" | "ELSE");
+        for at in statement.clone().filter(jumps) {
+            let addresses =
+                (at + 1..statement.end).take_while(|&at| text.kind(at) == Some(Kind::Number) || text.is(at, b','));
+            found.extend(addresses.map(|at| text.show(&(at..at + 1))));
+        }
+    }
+    found
 }
 
 /// A file while it is read.
@@ -114,42 +134,49 @@ impl Reader<'_> {
         }
     }
 
-    fn statement(&mut self, statement: &Range<usize>, program: &mut Program) {
+    /// Notes the tools and frames that a statement selects, and where ways meet.
+    fn select(&mut self, statement: &Range<usize>, program: &mut Program) {
         let text = self.text;
         let offset = text.span(statement).start;
         let line = text.line(statement.start);
         if joins(text, statement) {
             self.selected.joins.push(offset);
         }
-        for at in statement.clone() {
-            let before = at.checked_sub(1).filter(|&before| before >= statement.start).map(|before| text.word(before));
-            let begins = at == statement.start || before.is_some_and(|word| word == "THEN" || word == "ELSE");
-            if !begins {
-                continue;
-            }
-            let next = (at + 1..statement.end).find(|&at| matches!(text.word(at).as_str(), "THEN" | "ELSE"));
-            let rest = at + 1..next.unwrap_or(statement.end);
-            let word = text.word(at);
-            match word.as_str() {
-                "TOOL" => self.tool(&rest, offset, line, program),
+        for (at, rest) in commands(text, statement) {
+            let conditional = (at > statement.start).then(|| under_condition(line));
+            match text.word(at).as_str() {
+                "TOOL" => {
+                    let tool = self.tool(&rest, line, program);
+                    self.selected.tools.push(offset, conditional.unwrap_or(tool));
+                }
                 "M_TOOL" if text.is(at + 1, b'=') => {
                     let tool = numbered(text, &(at + 2..rest.end), "tool");
-                    self.selected.tools.push(offset, tool);
+                    self.selected.tools.push(offset, conditional.unwrap_or(tool));
                 }
-                "BASE" => self.base(&rest, offset, line, program),
-                "CMP" | "FSC" | "TRK" => {
-                    let off = text.word(at + 1) == "OFF";
-                    self.guided = (!off).then(|| format!("guided by `{word}` since line {line}"));
+                "BASE" => {
+                    let frame = self.base(&rest, line, program);
+                    self.selected.frames.push(offset, conditional.unwrap_or(frame));
                 }
-                _ => {
-                    if let Some(paths) = paths(&word) {
-                        self.moved(&word, paths, &rest, statement);
-                    }
-                }
+                _ => {}
             }
         }
         if text.word(statement.start) == "CALLP" || text.word(statement.start) == "GOSUB" {
             self.selected.joins.push(text.span(statement).end);
+        }
+    }
+
+    /// Makes targets of the moves of a statement. All selections are known: one further down may come round a loop.
+    fn statement(&mut self, statement: &Range<usize>) {
+        let text = self.text;
+        for (at, rest) in commands(text, statement) {
+            let word = text.word(at);
+            if matches!(word.as_str(), "CMP" | "FSC" | "TRK") {
+                let off = text.word(at + 1) == "OFF";
+                let line = text.line(statement.start);
+                self.guided = (!off).then(|| format!("guided by `{word}` since line {line}"));
+            } else if let Some(paths) = paths(&word) {
+                self.moved(&word, paths, &rest, statement);
+            }
         }
     }
 
@@ -197,9 +224,9 @@ impl Reader<'_> {
         self.positions.go_inline(inline, one);
     }
 
-    fn tool(&mut self, operand: &Range<usize>, offset: usize, line: usize, program: &mut Program) {
+    fn tool(&mut self, operand: &Range<usize>, line: usize, program: &mut Program) -> Reference {
         let name = format!("Tool {} in line {line}", self.text.show(operand));
-        let tool = match self.constant(operand) {
+        match self.constant(operand) {
             Ok(pose) => {
                 let value = Ok(ToolData { pose, held_by_robot: true, load: None });
                 let definition = Definition { file: self.file, span: self.text.span(operand), value };
@@ -207,17 +234,15 @@ impl Reader<'_> {
                 Reference::Named(name.into())
             }
             Err(reason) => Reference::Runtime(format!("the tool is set in line {line}: {reason}")),
-        };
-        self.selected.tools.push(offset, tool);
+        }
     }
 
-    fn base(&mut self, operand: &Range<usize>, offset: usize, line: usize, program: &mut Program) {
+    fn base(&mut self, operand: &Range<usize>, line: usize, program: &mut Program) -> Reference {
         if self.text.number(operand).is_some() {
-            let frame = numbered(self.text, operand, "work coordinate system");
-            return self.selected.frames.push(offset, frame);
+            return numbered(self.text, operand, "work coordinate system");
         }
         let name = format!("Base {} in line {line}", self.text.show(operand));
-        let frame = match self.constant(operand) {
+        match self.constant(operand) {
             Ok(world_t_base) => {
                 let value = Ok(FrameData { pose: world_t_base.inverse(), held_by_robot: false, on: None });
                 let definition = Definition { file: self.file, span: self.text.span(operand), value };
@@ -225,8 +250,7 @@ impl Reader<'_> {
                 Reference::Named(name.into())
             }
             Err(reason) => Reference::Runtime(format!("the base is set in line {line}: {reason}")),
-        };
-        self.selected.frames.push(offset, frame);
+        }
     }
 
     /// The pose of a literal, of a variable with one value, or of the initial tool and base.
@@ -247,6 +271,14 @@ impl Reader<'_> {
         position(text, operand, false)
             .map_or_else(|| Err(format!("`{}` is computed", text.show(operand))), |position| pose(&position))
     }
+}
+
+/// The commands of a statement, those behind `Then` and `Else` too: the first token of each, and what follows it.
+fn commands(text: Text<'_>, statement: &Range<usize>) -> Vec<(usize, Range<usize>)> {
+    let divides = |at: usize| matches!(text.word(at).as_str(), "THEN" | "ELSE");
+    let begins = |at: &usize| *at == statement.start || divides(*at - 1);
+    let command = |at: usize| (at, at + 1..(at + 1..statement.end).find(|&at| divides(at)).unwrap_or(statement.end));
+    statement.clone().filter(begins).map(command).collect()
 }
 
 /// True for a label, a branch, a loop, a call.

@@ -132,3 +132,29 @@ fn only_melfa_basic_is_recognised() {
         assert!(!is(text), "{text}");
     }
 }
+
+#[test]
+fn a_condition_or_a_jump_over_a_tool_leaves_it_open() {
+    let tool = |lines: &str| {
+        let text =
+            format!("10 OVRD 50\r\n20 TOOL (0,0,100,0,0,0)\r\n{lines}\r\n90 END\r\nP1=(400,0,500,180,0,180)(7,0)\r\n");
+        named(&program(&text), "P1").uses[0].tool.clone()
+    };
+    let open = |reference: Reference| matches!(reference, Reference::Runtime(_));
+    assert!(!open(tool("30 MOV P1")));
+    assert!(open(tool("30 IF M_IN(1)=1 THEN TOOL (0,0,200,0,0,0)\r\n40 MOV P1")));
+    let over = "40 TOOL (0,0,200,0,0,0)\r\n50 MOV P1";
+    assert!(open(tool(&format!("30 IF M_IN(1)=1 THEN 50\r\n{over}"))));
+    assert!(open(tool(&format!("30 ON M1 GOTO 20,50\r\n{over}"))));
+    assert!(!open(tool(&format!("30 IF M_IN(1)=1 THEN 90\r\n{over}"))));
+}
+
+#[test]
+fn a_tool_that_is_set_further_down_in_a_loop_comes_round() {
+    let read = program(
+        "Tool (0,0,100,0,0,0)\nFor M1=1 To 3\nMvs P1\nTool (0,0,200,0,0,0)\nMvs P2\nNext M1\nEnd\n\
+         P1=(400,0,500,180,0,180)(7,0)\nP2=(400,0,500,180,0,180)(7,0)\n",
+    );
+    assert!(matches!(named(&read, "P1").uses[0].tool, Reference::Runtime(_)));
+    assert!(matches!(named(&read, "P2").uses[0].tool, Reference::Named(_)));
+}

@@ -68,8 +68,11 @@ pub(super) fn read(bytes: &[u8], line: Span) -> Option<Line> {
         return Some(Line::Join);
     }
     // A step number may stand in front.
-    cursor.skip_while(|byte| byte.is_ascii_digit());
+    let number = cursor.skip_while(|byte| byte.is_ascii_digit());
     cursor.skip_blanks();
+    if cursor.at_end() && !number.is_empty() {
+        return Some(Line::Join);
+    }
     let word = cursor.name()?;
     let upper = cursor.slice(word).to_ascii_uppercase();
     cursor.skip_blanks();
@@ -88,6 +91,10 @@ pub(super) fn read(bytes: &[u8], line: Span) -> Option<Line> {
         b"SETTOOL" => Some(Line::Tool(integers(cursor).first().copied().flatten())),
         b"NEXT" | b"FOR" | b"GOSUB" | b"CALLP" | b"ENDIF" | b"ELSE" | b"ENDW" | b"RETURN" => Some(Line::Join),
         b"END" => Some(Line::End),
+        // `IF .. THEN CHGCOORD 2`: selected under a condition.
+        b"IF" if cursor.rest().to_ascii_uppercase().windows(8).any(|word| word == b"CHGCOORD") => {
+            Some(Line::Select(None))
+        }
         word if word.starts_with(b"SHIFT") => Some(Line::Shift),
         word if word.first() == Some(&b'P') && cursor.eat(b'=') => {
             let number = variable(word)?;
@@ -100,6 +107,21 @@ pub(super) fn read(bytes: &[u8], line: Span) -> Option<Line> {
         }
         _ => None,
     }
+}
+
+/// True for a line with a step number, to which jumps may go.
+pub(super) fn is_numbered(bytes: &[u8], line: Span) -> bool {
+    bytes[line.start..line.end].trim_ascii_start().first().is_some_and(u8::is_ascii_digit)
+}
+
+/// True for a line that goes to a step number: `GOTO 20`, `IF .. THEN 20`.
+pub(super) fn jumps(bytes: &[u8], line: Span) -> bool {
+    let text = bytes[line.start..comment(bytes, line)].to_ascii_uppercase();
+    let words = text.split(|byte| !byte.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let pairs = words.clone().zip(words.skip(1));
+    pairs.into_iter().any(|(word, next)| {
+        matches!(word, b"GOTO" | b"GOSUB" | b"THEN" | b"ELSE") && next.iter().all(u8::is_ascii_digit)
+    })
 }
 
 /// Where the statement of a line ends: `'` begins a comment, and so does `REM`.

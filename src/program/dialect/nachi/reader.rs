@@ -12,7 +12,7 @@ use crate::program::target::{
     CartesianNumbers, Definition, ExternalAxis, JointNumbers, Program, Reference, Target, TargetValue, Units, Use,
 };
 
-use super::line::{Goal, Line, Motion, read as read_line};
+use super::line::{Goal, Line, Motion, is_numbered, jumps, read as read_line};
 
 /// Reads the files; pose variables are known in their own program only, for nothing tells which one ran before.
 pub(super) fn read(sources: &[Source]) -> Program {
@@ -58,7 +58,11 @@ impl<'a> One<'a> {
             joins: Vec::new(),
         };
         let (mut shift, mut ends) = (None, false);
+        let jumps_to_numbers = source.lines().any(|span| jumps(source.bytes(), span));
         for span in source.lines() {
+            if jumps_to_numbers && is_numbered(source.bytes(), span) {
+                one.joins.push(span.start);
+            }
             let line = source.line(span.start);
             let Some(read) = read_line(source.bytes(), span) else { continue };
             let runtime = |what: &str| format!("{what} is set in line {line}");
@@ -123,7 +127,7 @@ impl<'a> One<'a> {
             }
         }
         for (span, motion, shift) in &self.motions {
-            let frame = match self.frames.at(span.start, &self.joins) {
+            let frame = match self.frames.at(span.start + 1, &self.joins) {
                 InForce::Nothing => Reference::Unnamed,
                 InForce::Known(selected) => selected.clone(),
                 InForce::Open => Reference::Runtime("which coordinate system holds here depends on the way".into()),

@@ -93,3 +93,18 @@ fn only_this_language_is_recognised() {
         assert!(!is(text), "{text}");
     }
 }
+
+#[test]
+fn a_condition_or_a_jump_over_a_selection_leaves_it_open() {
+    const MOVE: &str = "MOVEX A=1,M1X,L,(401,0,500,0,0,180),S=60,H=2,MS";
+    let frame = |lines: &str| program(&format!("CHGCOORD 1\n{lines}")).targets[0].uses[0].frame.clone();
+    assert_eq!(frame(MOVE), Reference::Named("1".into()));
+    for lines in [
+        format!("IF I1=1 THEN CHGCOORD 2\n{MOVE}"),
+        format!("IF I1=1 THEN 20\nCHGCOORD 3\n20 {MOVE}"),
+        format!("GOTO 20\nCHGCOORD 3\n20\n{MOVE}"),
+    ] {
+        assert!(matches!(frame(&lines), Reference::Runtime(_)), "{lines}");
+    }
+    assert_eq!(frame(&format!("10 CHGCOORD 3\n20 {MOVE}")), Reference::Named("3".into()));
+}

@@ -47,6 +47,7 @@ pub(super) fn read(sources: &[Source]) -> Program {
         let text = tokens.text(source);
         let mut reader = Reader { file, text, positions: Positions::new(file), frames: Frames::default() };
         tokens.statements.iter().for_each(|statement| reader.assign(statement));
+        tokens.statements.iter().for_each(|statement| reader.select(statement));
         for statement in &tokens.statements {
             reader.statement(statement, &mut program);
         }
@@ -98,16 +99,19 @@ impl Reader<'_> {
         }
     }
 
-    fn statement(&mut self, statement: &Range<usize>, program: &mut Program) {
+    /// Notes what a statement sets for the moves behind it, and where ways meet.
+    fn select(&mut self, statement: &Range<usize>) {
         let text = self.text;
         let offset = text.span(statement).start;
         let first = text.word(statement.start);
         let label = text.is(statement.start + 1, b':') && text.is(statement.start + 2, b':');
-        if label || JOINING.contains(&first.as_str()) {
+        // Where no routine stands before it, the program begins at its `BEGIN` and nowhere else.
+        let starts = first == "BEGIN" && self.frames.joins.is_empty();
+        if label || (JOINING.contains(&first.as_str()) && !starts) {
             self.frames.joins.push(offset);
         }
-        if let Some(motion) = motion(text, statement) {
-            return self.moved(&motion, statement, program);
+        if motion(text, statement).is_some() {
+            return;
         }
         match assigns(text, statement) {
             Some(at) if first.starts_with('$') && at == statement.start + 1 => {
@@ -120,11 +124,19 @@ impl Reader<'_> {
                 self.frames.set(&first, offset, text.line(statement.start), reason);
             }
             Some(_) => {}
+            None if JOINING.contains(&first.as_str()) => {}
             // A routine may set anything.
             None if text.is(statement.start + 1, b'(') || statement.len() == 1 => {
                 self.frames.joins.push(text.span(statement).end);
             }
             None => {}
+        }
+    }
+
+    /// Makes targets of a move. All selections are known: one further down may come round a loop.
+    fn statement(&mut self, statement: &Range<usize>, program: &mut Program) {
+        if let Some(motion) = motion(self.text, statement) {
+            self.moved(&motion, statement, program);
         }
     }
 

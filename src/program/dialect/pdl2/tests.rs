@@ -98,3 +98,16 @@ fn only_pdl2_is_recognised() {
         assert!(!is(text), "{text}");
     }
 }
+
+#[test]
+fn a_tool_that_is_set_further_down_in_a_loop_comes_round() {
+    let read = program(
+        "  $TOOL := POS(0,0,100,0,0,0,'')\n  REPEAT\n  MOVE LINEAR TO POS(1,2,3,0,180,0,'')\n  $TOOL := POS(0,0,200,0,0,0,'')\n  \
+         MOVE LINEAR TO POS(4,5,6,0,180,0,'')\n  UNTIL done\n",
+    );
+    assert!(matches!(read.targets[0].uses[0].tool, Reference::Runtime(_)));
+    assert!(matches!(read.targets[1].uses[0].tool, Reference::Named(_)));
+    // What is set behind the first move of a program does not hold there.
+    let later = program("  MOVE LINEAR TO POS(1,2,3,0,180,0,'')\n  $TOOL := POS(0,0,100,0,0,0,'')\n");
+    assert_eq!(later.targets[0].uses[0].tool, Reference::Unnamed);
+}

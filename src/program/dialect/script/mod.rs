@@ -5,5 +5,5 @@ mod selected;
 mod token;
 
 pub(super) use positions::{Position, Positions};
-pub(super) use selected::Selected;
+pub(super) use selected::{Selected, under_condition};
 pub(super) use token::{Kind, Lexis, Text, Tokens, joints_of, pose_of};

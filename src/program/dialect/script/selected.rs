@@ -14,6 +14,11 @@ pub(in super::super) struct Selected {
     pub joins: Vec<usize>,
 }
 
+/// What is selected in a line that does so only where a condition holds.
+pub(in super::super) fn under_condition(line: usize) -> Reference {
+    Reference::Runtime(format!("set under a condition in line {line}"))
+}
+
 impl Selected {
     /// The tool at a byte offset.
     pub fn tool(&self, offset: usize) -> Reference {

@@ -62,9 +62,10 @@ pub(super) fn goal(cursor: &mut Cursor<'_>, source: &Source, file: usize, points
         }
         (b"P", Some(b'(')) => match bracket(cursor) {
             Some(inside) => {
-                match std::str::from_utf8(cursor.slice(inside)).ok().and_then(|text| text.trim().parse().ok()) {
-                    Some(number) => Goal::Point(number, None),
-                    None => Goal::Indexed,
+                let index = String::from_utf8_lossy(cursor.slice(inside)).trim().to_lowercase();
+                match points.macros.meaning(&index).parse() {
+                    Ok(number) => Goal::Point(number, None),
+                    Err(_) => Goal::Indexed,
                 }
             }
             None => Goal::Runtime("it is computed".into()),
@@ -92,8 +93,9 @@ pub(super) fn goal(cursor: &mut Cursor<'_>, source: &Source, file: usize, points
 /// `P3` or a label.
 pub(super) fn point_number(name: &[u8], points: &Points) -> Option<u32> {
     let lower = String::from_utf8_lossy(name).to_lowercase();
-    let numbered = lower.strip_prefix('p').filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()));
-    numbered.and_then(|digits| digits.parse().ok()).or_else(|| points.labels.get(&lower).copied())
+    let meaning = points.macros.meaning(&lower);
+    let numbered = meaning.strip_prefix('p').filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()));
+    numbered.and_then(|digits| digits.parse().ok()).or_else(|| points.labels.get(meaning).copied())
 }
 
 /// `XY(..)` with `/L`, `/B`, `/2` behind it, or joint values.

@@ -1,8 +1,8 @@
-//! Epson SPEL+ projects of RC+: programs (`.prg`) and point files (`.pts`).
+//! Epson SPEL+ projects of RC+: programs (`.prg`), what they include (`.inc`) and point files (`.pts`).
 //!
 //! A project is a folder. What is read: the points of `.pts` files; in programs motions (`Go`, `Move`, `Jump`, `Jump3`, `Arc`,
 //! `Arc3`, `Pass`), positions written in them (`XY(..)`, `JA(..)`, `AglToPls(..)`), assignments to points, `Tool`, `TLSet`,
-//! `Local`, `Base`, and the order of statements. Everything else stays opaque: options of motions, parallel processing
+//! `Local`, `Base`, the order of statements, and `#define` of points and numbers. Everything else stays opaque: options of motions, parallel processing
 //! (`! .. !`), conveyors, vision.
 //!
 //! # What is known, and from where
@@ -16,6 +16,7 @@
 //!   a note warns.
 
 mod expression;
+mod macros;
 mod motion;
 mod points;
 mod reader;
@@ -37,7 +38,7 @@ pub struct Spel;
 static META: Meta = Meta {
     id: "spel",
     title: "Epson SPEL+",
-    extensions: &["prg", "pts"],
+    extensions: &["prg", "pts", "inc"],
     code_page: Some(Encoding::ShiftJis),
     numbers: NumberRules { max_decimals: 6, integers_may_gain_point: true },
 };
@@ -51,7 +52,7 @@ impl Dialect for Spel {
     }
 
     fn recognises(&self, source: &Source) -> bool {
-        points::is_point_file(source) || statement::is_program(source)
+        points::is_point_file(source) || statement::is_program(source) || macros::is_include(source)
     }
 
     fn read(&self, files: &[Source]) -> Program {
@@ -61,7 +62,7 @@ impl Dialect for Spel {
     fn job_of(&self, file_name: &str) -> String {
         let ending = file_name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
         match ending.as_str() {
-            "prg" | "pts" => PROJECT.to_owned(),
+            "prg" | "pts" | "inc" => PROJECT.to_owned(),
             _ => file_name.to_owned(),
         }
     }

@@ -9,6 +9,8 @@ use crate::program::number::{NumberField, number_at};
 use crate::program::scan::Cursor;
 use crate::program::target::{CartesianNumbers, Configuration, ExternalAxis, Program, TargetValue, Units};
 
+use super::macros::Macros;
+
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 const KEYS: [&str; 6] = ["rX", "rY", "rZ", "rU", "rV", "rW"];
 /// Values of the seventh joint and of additional axes.
@@ -42,6 +44,8 @@ pub(super) struct Points {
     pub all: HashMap<u32, Point>,
     /// Numbers by label in lower case.
     pub labels: HashMap<String, u32>,
+    /// Names that stand for points and numbers.
+    pub macros: Macros,
 }
 
 /// True for the first line that RC+ writes.

@@ -25,6 +25,7 @@ pub(super) fn read(sources: &[Source]) -> Program {
             points::read(source, file, &mut points, &mut program);
             continue;
         }
+        points.macros.read(source);
         let found = functions(source);
         if let Some(span) = found.open {
             let end = Span::new(source.bytes().len(), source.bytes().len());
@@ -139,7 +140,7 @@ impl<'a> Job<'a> {
             if let Some(motion) = motion(source, file, span, self.points) {
                 self.motions.push(Placed { routine, step: steps.len(), file, span, motion });
                 steps.push(Step::Plain);
-            } else if let Some(set) = setting(source, span) {
+            } else if let Some(set) = setting(source, span, &self.points.macros) {
                 self.definitions.add(file, span, &set);
                 self.pin(source, span);
                 match set {
@@ -188,7 +189,8 @@ impl<'a> Job<'a> {
         let indexed = word.eq_ignore_ascii_case(b"P") && cursor.peek() == Some(b'(');
         let number = if indexed {
             let inside = bracket(&mut cursor);
-            inside.and_then(|inside| source.text(inside).trim().parse().ok())
+            let index = inside.map(|inside| source.text(inside).trim().to_lowercase());
+            index.and_then(|index| self.points.macros.meaning(&index).parse().ok())
         } else {
             point_number(word, self.points)
         };

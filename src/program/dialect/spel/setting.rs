@@ -9,6 +9,7 @@ use crate::program::scan::Cursor;
 use crate::program::target::{Definition, FrameData, Program, Reference, ToolData};
 
 use super::expression::bracket;
+use super::macros::Macros;
 use super::points::pose;
 
 /// What a statement sets.
@@ -25,7 +26,7 @@ pub(super) enum Setting {
 }
 
 /// Reads a statement; `None` when it sets nothing.
-pub(super) fn setting(source: &Source, statement: Span) -> Option<Setting> {
+pub(super) fn setting(source: &Source, statement: Span, macros: &Macros) -> Option<Setting> {
     let mut cursor = Cursor::new(source.bytes(), statement);
     let name = cursor.name()?;
     let word = source.text(name).to_lowercase();
@@ -35,7 +36,7 @@ pub(super) fn setting(source: &Source, statement: Span) -> Option<Setting> {
         return None;
     }
     let from = cursor.offset();
-    let number = number(&mut cursor);
+    let number = number(&mut cursor, macros);
     cursor.skip_blanks();
     match word.as_str() {
         "tool" if number.is_some() && cursor.at_end() => {
@@ -58,9 +59,10 @@ pub(super) fn setting(source: &Source, statement: Span) -> Option<Setting> {
     }
 }
 
-fn number(cursor: &mut Cursor<'_>) -> Option<u32> {
-    let digits = cursor.skip_while(|byte| byte.is_ascii_digit());
-    std::str::from_utf8(cursor.slice(digits)).ok()?.parse().ok()
+/// A number, or a name that stands for one.
+fn number(cursor: &mut Cursor<'_>, macros: &Macros) -> Option<u32> {
+    let word = cursor.skip_while(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+    macros.meaning(&String::from_utf8_lossy(cursor.slice(word)).to_lowercase()).parse().ok()
 }
 
 /// `XY(..)` of numbers; those that are missing behind the last are zero.

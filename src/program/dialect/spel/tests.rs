@@ -1,8 +1,10 @@
 //! The reader as a whole, on small projects.
 
 use crate::base::text::Source;
+use crate::program::dialect::Dialect;
 use crate::program::target::{PathKind, Program, Reference, Target, TargetValue};
 
+use super::Spel;
 use super::points::is_point_file;
 use super::reader::read;
 use super::statement::is_program;
@@ -132,4 +134,19 @@ fn only_spel_is_recognised() {
     for text in ["", "Function main\n", "Fend\nFunction main\n", "def main():\nend\n", "FUNCTIONAL x\nFend"] {
         assert!(!is(text), "{text}");
     }
+}
+
+#[test]
+fn defined_names_stand_for_points_and_numbers() {
+    let include = "' cell\r\n#define PICK P3\r\n#define GRIP 2 ' gripper\r\n#define FIRST PICK\r\n#define TWICE 1\r\n";
+    let include = Source::new("cell.inc", include);
+    let body = "#include \"cell.inc\"\r\n#define TWICE 2\r\nFunction main\r\nTLSet GRIP, XY(0,0,100,0,0,0)\r\nTool GRIP\r\n\
+                Go FIRST\r\nMove P(SLOT)\r\nTool TWICE\r\nGo P5\r\nFend\r\n#define SLOT 4\r\n";
+    let all: Vec<String> = (3..6).map(|number| point(number, "", P, "")).collect();
+    assert!(Spel.recognises(&include) && !Spel.recognises(&Source::new("cell.h", "#define PICK P3\n")));
+    let program = read(&[Source::new("Main.prg", body), include, points(&all)]);
+    let tool = |name: &str| named(&program, name).uses[0].tool.clone();
+    let two = Reference::Named("2".into());
+    assert_eq!((program.targets.len(), tool("P3"), tool("P4")), (3, two.clone(), two));
+    assert!(program.tools["2"].value.is_ok() && matches!(tool("P5"), Reference::Runtime(_)));
 }

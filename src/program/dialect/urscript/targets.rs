@@ -6,8 +6,8 @@ use std::ops::Range;
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Span;
 use crate::program::target::{
-    CartesianNumbers, Configuration, Definition, Displacement, DisplacementKind, FrameData, Program, Reference, Target,
-    TargetValue, Use,
+    CartesianNumbers, Configuration, Definition, Displacement, DisplacementKind, FrameData, Mention, Program,
+    Reference, Target, TargetValue, Use,
 };
 
 use super::expression::{Composed, File, Goal, shortened};
@@ -57,6 +57,21 @@ pub(super) fn collect(file: File<'_>, found: &[Found], program: &mut Program) {
         }
     }
     targets.in_order(program);
+    program.note_replaceable(&named_in_moves(&file, found));
+}
+
+/// Where moves name a pose: the pose itself may stand there.
+fn named_in_moves(file: &File<'_>, found: &[Found]) -> Vec<((usize, Span), Mention)> {
+    let is_name = |place: Span| {
+        file.text.source.slice(place).iter().all(|byte| byte.is_ascii_alphanumeric() || *byte == b'_' || *byte >= 0x80)
+    };
+    let mention = |found: &Found| match &found.goal {
+        Goal::Written(list, _) if is_name(found.place) => {
+            Some(((file.file, file.text.span(list)), (file.file, found.place)))
+        }
+        _ => None,
+    };
+    found.iter().filter_map(mention).collect()
 }
 
 impl Targets<'_> {

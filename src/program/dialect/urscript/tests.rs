@@ -145,3 +145,22 @@ fn only_urscript_is_recognised() {
         assert!(!is(text), "{text}");
     }
 }
+
+#[test]
+fn a_block_that_sets_no_tcp_leaves_the_one_before_it() {
+    let pose = |x: u32| format!("  movel(p[0.{x},0,0.3,0,3.14159,0])\n");
+    let (a, b) = ("  set_tcp(p[0,0,0.1,0,0,0])\n", "  set_tcp(p[0,0,0.2,0,0,0])\n");
+    let text = format!(
+        "def p():\n{a}{}  if x:\n{}{b}  end\n{}{a}  while True:\n{}    if y:\n      z=1\n    else:\n      z=2\n    end\n{}  end\n{}end\n",
+        pose(1),
+        pose(2),
+        pose(3),
+        pose(4),
+        pose(5),
+        pose(6)
+    );
+    let read = program(&text);
+    let open: Vec<bool> =
+        read.targets.iter().map(|target| matches!(target.uses[0].tool, Reference::Runtime(_))).collect();
+    assert_eq!(open, [false, false, true, false, false, false]);
+}

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::base::text::Span;
 use crate::geometry::pose::Pose;
-use crate::program::selection::{InForce, Selections};
+use crate::program::selection::{Block, InForce, Joins, Selections};
 use crate::program::target::{Definition, LoadData, Program, Reference, ToolData};
 
 use super::motion::argument;
@@ -21,7 +21,9 @@ pub(super) struct Tools {
     poses: HashMap<String, Pose>,
     names: HashMap<String, String>,
     loads: HashMap<String, LoadData>,
-    joins: Vec<usize>,
+    /// Where other ways may come in that set another TCP, another payload.
+    tcp_joins: Vec<usize>,
+    payload_joins: Vec<usize>,
     /// A payload without a centre of gravity.
     pub incomplete_payload: Option<Span>,
 }
@@ -34,6 +36,7 @@ impl Tools {
         constant: impl Fn(&Range<usize>, usize) -> Result<Pose, String>,
     ) -> Self {
         let mut tools = Self::default();
+        let mut joins = Joins::default();
         let functions: HashSet<&[u8]> = program.functions.iter().skip(1).map(|one| one.name.as_slice()).collect();
         let called: Vec<bool> = (0..text.tokens.len())
             .map(|at| {
@@ -48,9 +51,18 @@ impl Tools {
             let word = text.word(tokens.start);
             // The program itself, which nothing calls, starts with nothing selected.
             let starts_program = word == b"def" && !called_names.contains(text.word(tokens.start + 1));
-            let joins = [&b"while"[..], b"for", b"else", b"elif", b"end", b"def", b"thread", b"sec"].contains(&word);
-            if joins && !starts_program {
-                tools.joins.push(offset);
+            match word {
+                b"if" => joins.open(offset, Block::Branch),
+                b"while" | b"for" => joins.open(offset, Block::Loop),
+                b"else" | b"elif" => joins.divide(offset),
+                b"end" => joins.close(offset),
+                b"def" | b"thread" | b"sec" => {
+                    joins.open(offset, Block::Routine);
+                    if !starts_program {
+                        joins.anywhere(offset);
+                    }
+                }
+                _ => {}
             }
             for at in text.calls(tokens) {
                 match text.word(at) {
@@ -64,9 +76,11 @@ impl Tools {
                 }
             }
             if tokens.clone().any(|at| called[at]) {
-                tools.joins.push(text.span(tokens).end);
+                joins.anywhere(text.span(tokens).end);
             }
         }
+        tools.tcp_joins = joins.that_matter(&tools.tcps);
+        tools.payload_joins = joins.that_matter(&tools.payloads);
         tools
     }
 
@@ -123,12 +137,12 @@ impl Tools {
     pub fn at(&self, offset: usize, file: usize, program: &mut Program) -> (Reference, Reference) {
         let open =
             |what: &str| Reference::Runtime(format!("several {what} are set, and which holds here depends on the way"));
-        let tcp = match self.tcps.at(offset, &self.joins) {
+        let tcp = match self.tcps.at(offset, &self.tcp_joins) {
             InForce::Nothing => Reference::Unnamed,
             InForce::Known(selected) => selected.clone(),
             InForce::Open => open("TCPs"),
         };
-        let payload = match self.payloads.at(offset, &self.joins) {
+        let payload = match self.payloads.at(offset, &self.payload_joins) {
             InForce::Nothing => Reference::Unnamed,
             InForce::Known(selected) => selected.clone(),
             InForce::Open => open("payloads"),
