@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use crate::base::text::Span;
 
-use super::target::{Configuration, Program, Target, TargetValue, Use};
+use super::shared::Shared;
+use super::target::{Configuration, Program, Target, TargetValue, Use, Way};
 
 /// Longest name that is shown of an expression.
 const LONGEST_NAME: usize = 60;
@@ -15,6 +16,7 @@ pub struct Gathered {
     made: Vec<Target>,
     by_key: HashMap<usize, usize>,
     by_text: HashMap<(usize, String), usize>,
+    ways: Shared<Way>,
 }
 
 impl Gathered {
@@ -26,7 +28,7 @@ impl Gathered {
             made.push(make());
             made.len() - 1
         });
-        self.made[slot].uses.push(one);
+        self.made[slot].add_use(one.sharing(&mut self.ways));
         &mut self.made[slot]
     }
 
@@ -50,7 +52,7 @@ impl Gathered {
             self.made.push(Target { name: Some(name), computed: Some(reason), ..plain(one.file, span, value) });
             self.made.len() - 1
         });
-        self.made[slot].uses.push(one);
+        self.made[slot].add_use(one.sharing(&mut self.ways));
     }
 
     /// Gives the targets to the program, in the order of the text. A displaced target names its base by the base's key
@@ -85,7 +87,7 @@ pub fn plain(file: usize, span: Span, value: TargetValue) -> Target {
         span,
         value,
         computed: None,
-        configuration: Configuration::default(),
+        configuration: Configuration::unsaid(),
         external_axes: Vec::new(),
         rides_along: false,
         uses: Vec::new(),

@@ -31,7 +31,7 @@ fn rounded<const N: usize>(
     rules: &NumberRules,
     error: impl Fn(&[f64]) -> f64,
 ) -> [Decimal; N] {
-    let own = |at: usize| fields.get(at).map_or(0, |field| field.decimals.min(rules.max_decimals));
+    let own = |at: usize| fields.get(at).map_or(0, |field| field.decimals().min(rules.max_decimals));
     let as_in_file: [Decimal; N] = std::array::from_fn(|at| Decimal::nearest(exact[at], own(at)));
     let values = as_in_file.map(|decimal| decimal.value());
     if error(&values[..fields.len().min(N)]) <= ROUNDING {
@@ -58,7 +58,7 @@ fn push_group<const N: usize>(
             write_repeated(edits, source, field);
             continue;
         }
-        let (span, text) = written(field, source.slice(field.span), decimal);
+        let (span, text) = written(field, source.slice(field.span()), decimal);
         edits.push(span, text);
         *read = rounded;
     }
@@ -100,7 +100,7 @@ pub fn write_pose(
 /// Writes out a number that is left out because it is that of the target before.
 fn write_repeated(edits: &mut EditSet, source: &Source, field: &NumberField) {
     if field.repeats() {
-        let (span, text) = written(field, source.slice(field.span), &Decimal::nearest(field.value, field.decimals));
+        let (span, text) = written(field, source.slice(field.span()), &Decimal::nearest(field.value, field.decimals()));
         edits.push(span, text);
     }
 }

@@ -88,7 +88,7 @@ fn number_end(bytes: &[u8], at: usize) -> Option<usize> {
     if points <= 1 && plain < SHORT && !has_exponent {
         return Some(at + plain);
     }
-    number_at(bytes, at).map(|field| field.span.end)
+    number_at(bytes, at).map(|field| field.span().end)
 }
 
 /// Bytes above 0x7f are letters: Latin-1 allows them in names of some controllers, and UTF-8 spells letters with them.
