@@ -74,9 +74,18 @@ impl Gathered {
                 }
             }
         }
-        let mut targets: Vec<Option<Target>> = self.made.into_iter().map(Some).collect();
-        program.targets = order.into_iter().filter_map(|slot| targets[slot].take()).collect();
+        program.targets = in_order(self.made, &order);
     }
+}
+
+/// The targets with these indices, in this order.
+pub fn in_order(targets: Vec<Target>, order: &[usize]) -> Vec<Target> {
+    // Most large programs are in order already, and have no room for another copy.
+    if order.len() == targets.len() && order.is_sorted() {
+        return targets;
+    }
+    let mut targets: Vec<Option<Target>> = targets.into_iter().map(Some).collect();
+    order.iter().filter_map(|&index| targets.get_mut(index)?.take()).collect()
 }
 
 /// A target of a file with nothing but its numbers.

@@ -40,7 +40,7 @@ mod tests {
 
     #[test]
     fn equal_values_that_take_turns_are_one() {
-        let mut shared = Shared::default();
+        let mut shared = Shared::<String>::default();
         let first = shared.share("a".to_string());
         for other in ["b", "c", "d"] {
             shared.share(other.to_string());

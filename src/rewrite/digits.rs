@@ -154,7 +154,7 @@ mod tests {
         let mut at = 0;
         std::array::from_fn(|_| {
             let field = number_at(text.as_bytes(), at).expect("a number");
-            at = field.span.end + 1;
+            at = field.span().end + 1;
             field
         })
     }
@@ -176,12 +176,9 @@ mod tests {
     #[test]
     fn numbers_that_repeat_are_written_out_even_where_they_stay() {
         let source = Source::new("t", "G1 X1.0 Y2.0");
-        let mut fields = fields("1.0,2.0,3.0");
-        fields[0].span = crate::base::text::Span::new(4, 7);
-        fields[1].span = crate::base::text::Span::new(9, 12);
-        fields[2].span = crate::base::text::Span::new(12, 12);
+        let number = |at| number_at(source.bytes(), at).expect("a number");
         let insertion = crate::program::number::Insertion { before: " Z".into(), after: String::new(), repeats: true };
-        fields[2].insertion = Some(Box::new(insertion));
+        let fields = [number(4), number(9), NumberField::left_out(12, 3.0, 1, insertion)];
         let mut edits = EditSet::default();
         let exact_m = nalgebra::Vector3::new(1.0e-3, 2.5e-3, 3.0e-3);
         write_position(&mut edits, &source, &fields, Units::MM_DEG, &NumberRules::default(), &exact_m);

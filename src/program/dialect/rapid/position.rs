@@ -109,6 +109,9 @@ impl<'j, 'a> Positions<'j, 'a> {
 
     /// True for an argument that can only be a position.
     pub fn is_position(&self, text: &FileText, range: &Range<usize>, scope: Scope) -> bool {
+        if text.kind(range.start) == Some(TokenKind::Position) {
+            return range.len() == 1;
+        }
         if text.is_symbol(range.start, b'[') {
             let parts = list(text, range).unwrap_or_default();
             let nested = parts.iter().all(|part| text.is_symbol(part.start, b'['));
@@ -133,7 +136,7 @@ impl<'j, 'a> Positions<'j, 'a> {
     pub fn targets_of(&mut self, text: &FileText<'a>, range: &Range<usize>, scope: Scope) -> Vec<usize> {
         let key = text.key(range.start);
         match text.kind(range.start) {
-            Some(TokenKind::Symbol(b'[')) => {
+            Some(TokenKind::Position | TokenKind::Symbol(b'[')) => {
                 let (value, read) = self.literal(text, range);
                 vec![self.push(text, range, scope, value, read)]
             }
@@ -295,6 +298,9 @@ impl<'j, 'a> Positions<'j, 'a> {
 
     /// A `robtarget` or `jointtarget` written in numbers.
     fn literal(&mut self, text: &FileText<'a>, range: &Range<usize>) -> (TargetValue, Result<Extras, String>) {
+        if let Some(inside) = text.position(range.start).filter(|_| range.len() == 1) {
+            return self.literal(&inside, &(0..inside.tokens.len()));
+        }
         let parts = list(text, range).unwrap_or_default();
         let value = match parts.as_slice() {
             [place, turn, ..] if parts.len() == 4 => cartesian(text, place, turn),
