@@ -27,7 +27,7 @@ pub struct BatchArgs {
     /// and is started again goes on where it stopped
     #[arg(long, value_name = "DIR")]
     pub out_dir: Option<PathBuf>,
-    /// Number of programs corrected at once [default: one a processor]
+    /// Number of programs corrected at once, and of parts of a large one [default: one a processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
     /// What to do with the files of a folder that are no robot programs
