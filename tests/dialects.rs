@@ -78,20 +78,20 @@ fn check_spans(sources: &[Source], program: &Program) -> Result<(), String> {
             return Err(format!("{place}: outside of its file"));
         }
         for field in fields(target) {
-            if !target.span.contains(field.span) {
-                return Err(format!("{place}: number {:?} outside of it", field.span));
+            if !target.span.contains(field.span()) {
+                return Err(format!("{place}: number {:?} outside of it", field.span()));
             }
-            if field.column.is_some_and(|column| !file.contains(column) || !column.contains(field.span)) {
-                return Err(format!("{place}: number {:?} outside of its column", field.span));
+            if field.column().is_some_and(|column| !file.contains(column) || !column.contains(field.span())) {
+                return Err(format!("{place}: number {:?} outside of its column", field.span()));
             }
             if field.insertion.is_some() {
                 continue;
             }
-            let again = number_at(source.bytes(), field.span.start);
-            if again.as_ref().map(|again| (again.value, again.span)) != Some((field.value, field.span)) {
-                return Err(format!("{place}: {:?} is not {}", source.text(field.span), field.value));
+            let again = number_at(source.bytes(), field.span().start);
+            if again.as_ref().map(|again| (again.value, again.span())) != Some((field.value, field.span())) {
+                return Err(format!("{place}: {:?} is not {}", source.text(field.span()), field.value));
             }
-            seen.push((target.file, field.span));
+            seen.push((target.file, field.span()));
         }
         if let TargetValue::Displaced(displacement) = &target.value {
             let base = program.targets.get(displacement.base).map(|base| &base.value);

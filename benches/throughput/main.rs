@@ -5,7 +5,7 @@
 //!     cargo bench --bench throughput correction   # single poses of the real arm, whole files, stages
 //!     cargo bench --bench throughput identification   # Jacobian, identification, calibration of 500 poses
 //!
-//! Programs run on one core: the tool uses more only for more files. Identification uses all there are.
+//! Large programs and identification use all cores there are; RAYON_NUM_THREADS=1 makes that one.
 
 mod arms;
 mod correction;

@@ -2,6 +2,8 @@
 //!
 //! Text is never mutated in place; an [`EditSet`] is collected, then applied once. An empty set gives the input back.
 
+use std::borrow::Cow;
+
 use super::text::Span;
 
 /// Two edits that touch the same bytes, or one that lies outside the file.
@@ -26,28 +28,59 @@ pub struct EditSet {
     edits: Vec<Edit>,
     /// All that comes, one after the other: programs have millions of edits of a few bytes.
     text: Vec<u8>,
+    /// An edit that cannot be kept, in a file larger than any program.
+    too_far: Option<Span>,
 }
 
-/// One replacement. An empty `span` inserts.
+/// One replacement; no `length` inserts.
 #[derive(Clone, Copy, Debug)]
 struct Edit {
+    start: u32,
+    length: u32,
+    /// Where the bytes that come begin in [`EditSet::text`], and how many they are.
+    text: u32,
+    text_length: u32,
+}
+
+impl Edit {
+    fn new(span: Span, text: usize, text_length: usize) -> Option<Self> {
+        let [start, length, text, text_length] =
+            [span.start, span.len(), text, text_length].map(|number| u32::try_from(number).ok());
+        Some(Self { start: start?, length: length?, text: text?, text_length: text_length? })
+    }
+
     /// The bytes that go.
-    span: Span,
-    /// Where the bytes that come stand in [`EditSet::text`].
-    text: Span,
+    fn span(&self) -> Span {
+        let start = self.start as usize;
+        Span::new(start, start + self.length as usize)
+    }
+
+    /// The bytes that come.
+    fn replacement<'t>(&self, text: &'t [u8]) -> &'t [u8] {
+        &text[self.text as usize..][..self.text_length as usize]
+    }
 }
 
 impl EditSet {
     /// Adds a replacement; order does not matter. An empty `span` inserts.
     pub fn push(&mut self, span: Span, replacement: impl AsRef<[u8]>) {
-        let start = self.text.len();
-        self.text.extend_from_slice(replacement.as_ref());
-        self.edits.push(Edit { span, text: Span::new(start, self.text.len()) });
+        let replacement = replacement.as_ref();
+        match Edit::new(span, self.text.len(), replacement.len()) {
+            Some(edit) => self.edits.push(edit),
+            None => self.too_far = self.too_far.or(Some(span)),
+        }
+        self.text.extend_from_slice(replacement);
+    }
+
+    /// Adds all edits of another set.
+    pub fn append(&mut self, other: &EditSet) {
+        other.edits.iter().for_each(|edit| self.push(edit.span(), edit.replacement(&other.text)));
+        self.too_far = self.too_far.or(other.too_far);
     }
 
     /// True when applying it gives the input back.
     pub fn is_empty(&self) -> bool {
-        self.edits.is_empty()
+        self.edits.is_empty() && self.too_far.is_none()
     }
 
     /// The file with every edit made.
@@ -55,23 +88,35 @@ impl EditSet {
     /// # Errors
     /// [`EditError`] when two edits overlap or one lies outside `bytes`.
     pub fn apply(&self, bytes: &[u8]) -> Result<Vec<u8>, EditError> {
+        let outside = |span| EditError::Outside { span, length: bytes.len() };
+        if let Some(span) = self.too_far {
+            return Err(outside(span));
+        }
         let mut out = Vec::with_capacity(bytes.len() + self.text.len());
         let mut copied = 0;
-        let mut in_order = self.edits.clone();
-        in_order.sort_by_key(|edit| edit.span);
-        for edit in in_order {
-            if edit.span.end > bytes.len() {
-                return Err(EditError::Outside { span: edit.span, length: bytes.len() });
+        for edit in self.in_order().iter() {
+            let span = edit.span();
+            if span.end > bytes.len() {
+                return Err(outside(span));
             }
-            if edit.span.start < copied {
-                return Err(EditError::Overlap(edit.span));
+            if span.start < copied {
+                return Err(EditError::Overlap(span));
             }
-            out.extend_from_slice(&bytes[copied..edit.span.start]);
-            out.extend_from_slice(&self.text[edit.text.start..edit.text.end]);
-            copied = edit.span.end;
+            out.extend_from_slice(&bytes[copied..span.start]);
+            out.extend_from_slice(edit.replacement(&self.text));
+            copied = span.end;
         }
         out.extend_from_slice(&bytes[copied..]);
         Ok(out)
+    }
+
+    /// The edits in the order of the file, which is mostly that in which they came.
+    fn in_order(&self) -> Cow<'_, [Edit]> {
+        let mut edits = Cow::Borrowed(self.edits.as_slice());
+        if !edits.is_sorted_by_key(Edit::span) {
+            edits.to_mut().sort_by_key(Edit::span);
+        }
+        edits
     }
 }
 

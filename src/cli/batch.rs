@@ -14,7 +14,7 @@ use super::console::Console;
 use super::exit::{Exit, Failure};
 use super::in_order::in_order;
 use super::items::{self, Item};
-use super::record::{Place, Records, hex};
+use super::record::{Flushing, Place, Records, hex};
 use super::report_file::{self, ReportFile};
 use super::shop::{Corrected, Shop, same_file};
 use super::summary::Summary;
@@ -27,7 +27,7 @@ pub struct BatchArgs {
     /// and is started again goes on where it stopped
     #[arg(long, value_name = "DIR")]
     pub out_dir: Option<PathBuf>,
-    /// Number of programs corrected at once [default: one a processor]
+    /// Number of programs corrected at once, and of parts of a large one [default: one a processor]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     jobs: Option<u16>,
     /// What to do with the files of a folder that are no robot programs
@@ -115,11 +115,13 @@ pub fn run(
     console: &Console,
 ) -> Result<Exit, Failure> {
     let threads = args.jobs.map_or_else(processors, usize::from);
+    // The targets of a large program are shared out too, among as many; a pool that is there already does as well.
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     let (items, entries) = survey(programs, out_dir, shop, threads)?;
     let plans = census::plans(&entries);
     let all = tasks(&entries, &items, &plans, out_dir);
     items::check_places(all.iter().flat_map(|task| task.work.files()).map(|file| &items[file]).collect())?;
-    let records = Records::below(out_dir);
+    let records = Records::below(out_dir, Flushing::AtTheEnd);
     let batch =
         Batch { shop, entries: &entries, records: &records, others: args.others, with_reports: report.is_some() };
     let mut report = report.map(ReportFile::create).transpose()?;
@@ -171,6 +173,7 @@ pub fn run(
         report.finish(&summary.tally)?;
     }
     if summary.not_begun == 0 {
+        tasks.iter().try_for_each(|task| records.flush(&task.place))?;
         tasks.iter().for_each(|task| records.forget(&task.place));
         records.close(args.shard.is_none());
     }
@@ -277,7 +280,7 @@ impl Batch<'_> {
             }
             return Ok(Fate::Refused(tally, reports.unwrap_or_default(), reason));
         }
-        self.records.finish(place, &corrected.files, &key, tally, reports.clone())?;
+        self.records.finish(place, &corrected.into_files()?, &key, tally, reports.clone())?;
         Ok(Fate::Written(tally, reports.unwrap_or_default()))
     }
 

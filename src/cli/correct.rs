@@ -92,6 +92,10 @@ fn one(shop: &Shop, args: &Args, console: &Console) -> Result<Exit, Failure> {
         let message = format!("targets of this program stand in {name}: --out-dir DIR writes all files of the job");
         return Err(Failure::Usage(message));
     }
-    output::write(&output, &corrected.files[0])?;
-    Ok(if corrected.is_refused() { Exit::No } else { Exit::Done })
+    let exit = if corrected.is_refused() { Exit::No } else { Exit::Done };
+    // The first of the job is the one that was asked for.
+    if let Some(bytes) = corrected.into_files()?.first() {
+        output::write(&output, bytes)?;
+    }
+    Ok(exit)
 }

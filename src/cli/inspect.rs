@@ -1,14 +1,15 @@
 //! `falsetarget inspect`: what targets a program holds.
 
 use std::collections::BTreeSet;
-use std::fmt::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use crate::program::dialect::Dialect;
-use crate::report::targets::{FileReport, TargetsReport, files};
+use crate::report::targets::{TargetsReport, files};
 
 use super::console::Console;
 use super::exit::{Exit, Failure};
+use super::job::Loaded;
 use super::{job, load, output};
 
 /// List every target of a program: where it stands, what it is, which moves use it, and what `correct` could do with it
@@ -29,7 +30,7 @@ pub struct Args {
 }
 
 pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
-    let mut reports = Vec::new();
+    let mut all = Vec::new();
     let standard_input = [PathBuf::from("-")];
     let programs = if args.programs.is_empty() { &standard_input[..] } else { &args.programs };
     let mut read = BTreeSet::new();
@@ -47,32 +48,36 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
         for diagnostic in &loaded.program.diagnostics {
             console.diagnostic(&loaded.sources, diagnostic);
         }
-        reports.extend(files(&loaded.sources, loaded.dialect, &loaded.program, None));
+        all.push(loaded);
+    }
+    let mut reports = Vec::new();
+    for Loaded { sources, dialect, program, .. } in &all {
+        reports.extend(files(sources, *dialect, program, None));
     }
     let report = TargetsReport::new(reports);
     if args.json {
         output::write_json(Path::new("-"), &report)?;
     } else {
-        let mut text = String::new();
-        report.files.iter().for_each(|file| table(&mut text, file));
-        let summary = &report.summary;
-        let _ = writeln!(
-            text,
-            "{} correctable, {} joint, {} computed, {} refused in {} file(s)",
-            summary.corrected, summary.joint, summary.computed, summary.refused, summary.files
-        );
-        output::print(text.as_bytes())?;
+        tables(&report, &mut BufWriter::new(std::io::stdout().lock())).map_err(Failure::Output)?;
     }
     Ok(if report.summary.refused > 0 { Exit::No } else { Exit::Done })
 }
 
-fn table(text: &mut String, file: &FileReport) {
-    let _ = writeln!(text, "{} ({})", file.path, file.dialect);
-    for target in &file.targets {
-        let name = target.name.as_deref().unwrap_or("-");
-        let _ = write!(text, "{:>7}  {:<16} {:<9} {:<9}", target.line, name, target.kind, target.class.word());
-        let _ = write!(text, " {}", target.describe());
-        let _ =
-            writeln!(text, "{}", target.reason.as_deref().map(|reason| format!("  ({reason})")).unwrap_or_default());
+fn tables(report: &TargetsReport<'_>, out: &mut impl Write) -> std::io::Result<()> {
+    for file in &report.files {
+        writeln!(out, "{} ({})", file.path, file.dialect)?;
+        for target in file.targets.iter() {
+            let name = target.name.as_deref().unwrap_or("-");
+            let reason = target.reason.as_deref().map(|reason| format!("  ({reason})")).unwrap_or_default();
+            write!(out, "{:>7}  {:<16} {:<9} {:<9}", target.line, name, target.kind, target.class.word())?;
+            writeln!(out, " {}{reason}", target.describe())?;
+        }
     }
+    let summary = &report.summary;
+    writeln!(
+        out,
+        "{} correctable, {} joint, {} computed, {} refused in {} file(s)",
+        summary.corrected, summary.joint, summary.computed, summary.refused, summary.files
+    )?;
+    out.flush()
 }

@@ -1,6 +1,6 @@
 //! Writing: a file appears whole or not at all.
 
-use std::io::Write;
+use std::io::{BufWriter, IntoInnerError, Write};
 use std::path::Path;
 
 use super::exit::Failure;
@@ -28,22 +28,27 @@ fn folder_of(path: &Path) -> &Path {
 ///
 /// A file is written beside its place under another name, flushed to the disk, and renamed.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_with(path, |out| out.write_all(bytes))
+}
+
+/// The same for what is made as it is written.
+fn write_with(path: &Path, content: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
     if path.as_os_str() == "-" {
-        return print(bytes);
+        let mut out = BufWriter::new(std::io::stdout().lock());
+        return content(&mut out).and_then(|()| out.flush()).map_err(Failure::Output);
     }
     check(path)?;
     // The kind alone: the name of the temporary file says nothing to the user.
     let failure = |error: std::io::Error| Failure::file(path, error.kind().into());
-    let file = stage(path, bytes).map_err(failure)?;
+    let staged = || {
+        let mut out = BufWriter::new(temporary(path)?);
+        content(&mut out)?;
+        let file = out.into_inner().map_err(IntoInnerError::into_error)?;
+        file.as_file().sync_all()?;
+        Ok(file)
+    };
+    let file = staged().map_err(failure)?;
     file.persist(path).map(|_| ()).map_err(|error| failure(error.error))
-}
-
-/// A file beside its place, complete, without its name.
-fn stage(path: &Path, bytes: &[u8]) -> std::io::Result<tempfile::NamedTempFile> {
-    let mut file = temporary(path)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    Ok(file)
 }
 
 /// An empty file beside a place, with the permissions that it shall have there.
@@ -53,15 +58,20 @@ pub fn temporary(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
     Ok(file)
 }
 
-/// Writes what will be renamed to `path`, under a name of its own, flushed to the disk.
+/// Writes what will be renamed to `path`, under a name of its own. Nothing is flushed to the disk: see [`flush`].
 pub fn write_part(part: &Path, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let write = || {
         let mut file = std::fs::File::create(part)?;
         keep_permissions(path, &file)?;
-        file.write_all(bytes)?;
-        file.sync_all()
+        file.write_all(bytes)
     };
     write().map_err(|error: std::io::Error| Failure::file(path, error.kind().into()))
+}
+
+/// Makes sure that a file survives a loss of power.
+pub fn flush(path: &Path) -> Result<(), Failure> {
+    let flushed = std::fs::File::open(path).and_then(|file| file.sync_all());
+    flushed.map_err(|error| Failure::file(path, error))
 }
 
 /// A new file gets what the user's mask allows; one that is replaced keeps what it had.
@@ -85,7 +95,8 @@ pub fn print(bytes: &[u8]) -> Result<(), Failure> {
 
 /// Writes a value as JSON with a last newline.
 pub fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(), Failure> {
-    let mut text = serde_json::to_vec_pretty(value).map_err(|error| Failure::Output(std::io::Error::other(error)))?;
-    text.push(b'\n');
-    write(path, &text)
+    write_with(path, |out| {
+        serde_json::to_writer_pretty(&mut *out, value)?;
+        out.write_all(b"\n")
+    })
 }

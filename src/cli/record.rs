@@ -4,6 +4,10 @@
 //! Each job has a file of its own, so that several processes can share one output folder. A job counts as finished
 //! when its record was made from the same bytes with the same model, cell and options, and its outputs are still the
 //! bytes that were written. Outputs are made in the same folder and renamed to their place.
+//!
+//! A flush to the disk costs more than the correction of a usual program. So a batch flushes once, when all is done and
+//! before its records go: until then a file that a loss of power has emptied is not the one of its record, and its job is
+//! done again. Where outputs are taken away as they come, each is flushed before it gets its name.
 
 use std::path::{Path, PathBuf};
 
@@ -21,6 +25,16 @@ pub const FOLDER: &str = ".falsetarget";
 /// The records of one output folder.
 pub struct Records {
     folder: PathBuf,
+    flushing: Flushing,
+}
+
+/// When outputs are flushed to the disk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flushing {
+    /// Each before it gets its name.
+    Each,
+    /// All of them by [`Records::flush`], when the run is done.
+    AtTheEnd,
 }
 
 /// A finished job.
@@ -51,8 +65,8 @@ pub fn hex(bytes: &[u8]) -> String {
 
 impl Records {
     /// Those below an output folder, which need not exist yet.
-    pub fn below(out_dir: &Path) -> Self {
-        Self { folder: out_dir.join(FOLDER) }
+    pub fn below(out_dir: &Path, flushing: Flushing) -> Self {
+        Self { folder: out_dir.join(FOLDER), flushing }
     }
 
     /// The record of a job, if it is finished and, where `with_reports`, knows what the report wants.
@@ -97,6 +111,9 @@ impl Records {
         }
         for (part, path, bytes) in &staged {
             output::write_part(part, path, bytes)?;
+            if self.flushing == Flushing::Each {
+                output::flush(part)?;
+            }
         }
         for (part, path, _) in &staged {
             std::fs::rename(part, path).map_err(|error| Failure::file(path, error))?;
@@ -107,6 +124,17 @@ impl Records {
         let text = serde_json::to_vec(&record).map_err(|error| Failure::file(&file, error.into()))?;
         // Half a record is none: it may be lost, for then the job is done again.
         std::fs::write(&file, text).map_err(|error| Failure::file(&file, error))
+    }
+
+    /// Flushes the outputs of a job that this run or one before it has finished.
+    ///
+    /// # Errors
+    /// [`Failure::File`]
+    pub fn flush(&self, place: &Place) -> Result<(), Failure> {
+        match self.file(place).exists() {
+            true => place.outputs.iter().try_for_each(|path| output::flush(path)),
+            false => Ok(()),
+        }
     }
 
     /// Copies a file that is no program to its place, byte for byte.

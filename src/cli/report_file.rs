@@ -26,7 +26,7 @@ pub struct ReportFile {
 ///
 /// # Errors
 /// [`Failure::File`] or [`Failure::Output`].
-pub fn write_whole(path: &Path, reports: Vec<FileReport>) -> Result<(), Failure> {
+pub fn write_whole(path: &Path, reports: Vec<FileReport<'_>>) -> Result<(), Failure> {
     if !is_lines(path) {
         return output::write_json(path, &TargetsReport::new(reports));
     }
@@ -47,7 +47,7 @@ pub fn write_whole(path: &Path, reports: Vec<FileReport>) -> Result<(), Failure>
 ///
 /// # Errors
 /// [`Failure::Output`] when a number has no JSON.
-pub fn lines(reports: &[FileReport]) -> Result<Vec<String>, Failure> {
+pub fn lines(reports: &[FileReport<'_>]) -> Result<Vec<String>, Failure> {
     let line = |report| serde_json::to_string(report).map_err(|error| Failure::Output(error.into()));
     reports.iter().map(line).collect()
 }

@@ -72,8 +72,6 @@ pub struct Shop {
 pub struct Corrected {
     pub loaded: Loaded,
     pub outcome: Outcome,
-    /// The job's own files.
-    pub files: Vec<Vec<u8>>,
 }
 
 impl Shop {
@@ -147,12 +145,12 @@ impl Shop {
         if self.split_shared && outcome.targets.iter().any(|target| target.shared) {
             let edits = split(&loaded.sources, &loaded.program, &outcome);
             if !edits.iter().all(EditSet::is_empty) {
-                let with_copies = with_edits(loaded, &edits)?;
-                let outcome = self.outcome(&with_copies);
-                return corrected(with_copies, outcome);
+                let loaded = with_edits(loaded, &edits)?;
+                let outcome = self.outcome(&loaded);
+                return Ok(Corrected { loaded, outcome });
             }
         }
-        corrected(loaded, outcome)
+        Ok(Corrected { loaded, outcome })
     }
 
     fn outcome(&self, loaded: &Loaded) -> Outcome {
@@ -186,29 +184,34 @@ fn region(model: &str, calibration: &Calibration) -> Result<Region, Failure> {
 
 /// The job with edits made, read again.
 fn with_edits(loaded: Loaded, edits: &[EditSet]) -> Result<Loaded, Failure> {
-    let own = apply(&loaded, edits)?;
+    let own = apply(&loaded.sources, loaded.own, edits)?;
     let names = loaded.sources.iter().map(|source| source.name().to_string());
     let mut sources: Vec<Source> = names.zip(own).map(|(name, bytes)| Source::new(name, bytes)).collect();
     sources.extend(loaded.sources.into_iter().skip(loaded.own));
     job::read(sources, loaded.own, loaded.dialect)
 }
 
-fn corrected(loaded: Loaded, outcome: Outcome) -> Result<Corrected, Failure> {
-    let files = apply(&loaded, &outcome.edits)?;
-    Ok(Corrected { loaded, outcome, files })
-}
-
 /// The job's own files with edits made.
-fn apply(loaded: &Loaded, edits: &[EditSet]) -> Result<Vec<Vec<u8>>, Failure> {
-    let own = loaded.sources.iter().zip(edits).take(loaded.own);
-    let files: Result<_, _> = own.map(|(source, edits)| edits.apply(source.bytes())).collect();
-    files.map_err(|error| Failure::Program(loaded.sources.clone(), vec![Diagnostic::error("edit", error.to_string())]))
+fn apply(sources: &[Source], own: usize, edits: &[EditSet]) -> Result<Vec<Vec<u8>>, Failure> {
+    let files: Result<_, _> =
+        sources.iter().zip(edits).take(own).map(|(source, edits)| edits.apply(source.bytes())).collect();
+    files.map_err(|error| Failure::Program(sources.to_vec(), vec![Diagnostic::error("edit", error.to_string())]))
 }
 
 impl Corrected {
     /// What happened to its targets.
-    pub fn reports(&self) -> Vec<FileReport> {
+    pub fn reports(&self) -> Vec<FileReport<'_>> {
         files(&self.loaded.sources, self.loaded.dialect, &self.loaded.program, Some(&self.outcome))
+    }
+
+    /// The job's own files, corrected. What is known of their targets goes first: for large programs it takes more room.
+    ///
+    /// # Errors
+    /// [`Failure::Program`] when edits overlap.
+    pub fn into_files(self) -> Result<Vec<Vec<u8>>, Failure> {
+        let (Loaded { sources, own, program, .. }, Outcome { targets, edits }) = (self.loaded, self.outcome);
+        drop((program, targets));
+        apply(&sources, own, &edits)
     }
 
     /// Some target has no solution.

@@ -11,7 +11,7 @@ use super::census::{self, Entry, Plan};
 use super::console::Console;
 use super::exit::{Exit, Failure};
 use super::items::{self, Item};
-use super::record::{Place, Records};
+use super::record::{Flushing, Place, Records};
 use super::shop::{Shop, ShopArgs, same_file};
 use super::writers::files_being_written;
 
@@ -87,7 +87,7 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     }
     let shop = Shop::open(&args.shop, &args.input)?;
     let failed = args.failed.clone().unwrap_or_else(|| args.input.join("failed"));
-    let records = Records::below(&args.output);
+    let records = Records::below(&args.output, Flushing::Each);
     let mut watch = Watch { args, shop: &shop, records, failed, seen: HashMap::new() };
     let mut exit = Exit::Done;
     loop {

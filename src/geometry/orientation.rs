@@ -32,7 +32,7 @@ pub enum OrientationConvention {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SpinRule {
     /// 0, 1, 2 for X, Y, Z of the frame.
-    pub axis: usize,
+    pub axis: u8,
     /// It points against that axis.
     pub against: bool,
 }
@@ -45,7 +45,7 @@ impl SpinRule {
     fn rotation(self, tool_axis: &[f64]) -> Option<Matrix3<f64>> {
         let z = -Vector3::new(tool_axis[0], tool_axis[1], tool_axis[2]).try_normalize(1e-6)?;
         let mut direction = Vector3::zeros();
-        *direction.get_mut(self.axis)? = if self.against { -1.0 } else { 1.0 };
+        *direction.get_mut(usize::from(self.axis))? = if self.against { -1.0 } else { 1.0 };
         let x = (direction - z * direction.dot(&z)).try_normalize(RULE_SAYS_NOTHING)?;
         Some(Matrix3::from_columns(&[x, z.cross(&x), z]))
     }

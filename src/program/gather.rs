@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use crate::base::text::Span;
 
-use super::target::{Configuration, Program, Target, TargetValue, Use};
+use super::shared::Shared;
+use super::target::{Configuration, Program, Target, TargetValue, Use, Way};
 
 /// Longest name that is shown of an expression.
 const LONGEST_NAME: usize = 60;
@@ -15,6 +16,7 @@ pub struct Gathered {
     made: Vec<Target>,
     by_key: HashMap<usize, usize>,
     by_text: HashMap<(usize, String), usize>,
+    ways: Shared<Way>,
 }
 
 impl Gathered {
@@ -26,7 +28,7 @@ impl Gathered {
             made.push(make());
             made.len() - 1
         });
-        self.made[slot].uses.push(one);
+        self.made[slot].add_use(one.sharing(&mut self.ways));
         &mut self.made[slot]
     }
 
@@ -50,7 +52,7 @@ impl Gathered {
             self.made.push(Target { name: Some(name), computed: Some(reason), ..plain(one.file, span, value) });
             self.made.len() - 1
         });
-        self.made[slot].uses.push(one);
+        self.made[slot].add_use(one.sharing(&mut self.ways));
     }
 
     /// Gives the targets to the program, in the order of the text. A displaced target names its base by the base's key
@@ -72,9 +74,18 @@ impl Gathered {
                 }
             }
         }
-        let mut targets: Vec<Option<Target>> = self.made.into_iter().map(Some).collect();
-        program.targets = order.into_iter().filter_map(|slot| targets[slot].take()).collect();
+        program.targets = in_order(self.made, &order);
     }
+}
+
+/// The targets with these indices, in this order.
+pub fn in_order(targets: Vec<Target>, order: &[usize]) -> Vec<Target> {
+    // Most large programs are in order already, and have no room for another copy.
+    if order.len() == targets.len() && order.is_sorted() {
+        return targets;
+    }
+    let mut targets: Vec<Option<Target>> = targets.into_iter().map(Some).collect();
+    order.iter().filter_map(|&index| targets.get_mut(index)?.take()).collect()
 }
 
 /// A target of a file with nothing but its numbers.
@@ -85,7 +96,7 @@ pub fn plain(file: usize, span: Span, value: TargetValue) -> Target {
         span,
         value,
         computed: None,
-        configuration: Configuration::default(),
+        configuration: Configuration::unsaid(),
         external_axes: Vec::new(),
         rides_along: false,
         uses: Vec::new(),

@@ -10,5 +10,6 @@ pub mod gather;
 pub mod number;
 pub mod scan;
 pub mod selection;
+pub mod shared;
 pub mod target;
 pub mod ties;

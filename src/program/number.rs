@@ -10,19 +10,19 @@ use crate::base::text::Span;
 
 use super::decimal::{Decimal, POWERS_OF_TEN};
 
-/// A number in the text of a program, or a place where one may be inserted.
-#[derive(Clone, Debug, PartialEq)]
+/// A number in the text of a program, or a place where one may be inserted. Large programs have millions of them: a place
+/// is kept in four bytes, a length in two.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct NumberField {
-    /// Its bytes; empty where the language leaves a default out and a number would have to be inserted.
-    pub span: Span,
     /// The value as written, in the file's own unit.
     pub value: f64,
-    /// Digits after the decimal point, exponent counted in (`1.25e-3` has five).
-    pub decimals: usize,
     /// Text to put before and after an inserted number; `None` where the number is written.
     pub insertion: Option<Box<Insertion>>,
-    /// The columns it may fill, blanks included, in languages with fixed columns: the number stays right-aligned.
-    pub column: Option<Span>,
+    start: u32,
+    length: u16,
+    decimals: u8,
+    /// Bytes of its fixed column; 0 where it has none.
+    column: u8,
 }
 
 /// What surrounds a number that is inserted.
@@ -38,6 +38,62 @@ pub struct Insertion {
 }
 
 impl NumberField {
+    /// A number that is written at `span`; `None` where no program is so large, no number so long.
+    fn written(span: Span, value: f64, decimals: usize) -> Option<Self> {
+        Some(Self {
+            value,
+            insertion: None,
+            start: u32::try_from(span.start).ok()?,
+            length: u16::try_from(span.len()).ok()?,
+            decimals: u8::try_from(decimals).ok()?,
+            column: 0,
+        })
+    }
+
+    /// A number that stands in no file.
+    pub fn unplaced(value: f64) -> Self {
+        Self { value, ..Self::default() }
+    }
+
+    /// A number that is left out at a place, and what would surround it there.
+    pub fn left_out(at: usize, value: f64, decimals: usize, insertion: Insertion) -> Self {
+        Self { insertion: Some(Box::new(insertion)), ..Self::unplaced(value) }.with_decimals(decimals).at(at)
+    }
+
+    /// The same number at another place.
+    #[must_use]
+    pub fn at(self, start: usize) -> Self {
+        Self { start: start.try_into().unwrap_or(u32::MAX), ..self }
+    }
+
+    fn with_decimals(self, decimals: usize) -> Self {
+        Self { decimals: decimals.try_into().unwrap_or(u8::MAX), ..self }
+    }
+
+    /// The same number in a fixed column that begins at `start` and ends with it; a column wider than any is none.
+    #[must_use]
+    pub fn in_column_from(self, start: usize) -> Self {
+        let width = self.span().end.saturating_sub(start);
+        Self { column: width.try_into().unwrap_or(0), ..self }
+    }
+
+    /// Its bytes; empty where the language leaves a default out and a number would have to be inserted.
+    pub fn span(&self) -> Span {
+        let start = self.start as usize;
+        Span::new(start, start + usize::from(self.length))
+    }
+
+    /// Digits after the decimal point, exponent counted in (`1.25e-3` has five).
+    pub fn decimals(&self) -> usize {
+        usize::from(self.decimals)
+    }
+
+    /// The columns it may fill, blanks included, in languages with fixed columns: the number stays right-aligned.
+    pub fn column(&self) -> Option<Span> {
+        let end = self.span().end;
+        (self.column > 0).then(|| Span::new(end.saturating_sub(usize::from(self.column)), end))
+    }
+
     /// True for a number that is left out because it is that of the target before.
     pub fn repeats(&self) -> bool {
         self.insertion.as_ref().is_some_and(|insertion| insertion.repeats)
@@ -101,7 +157,7 @@ pub fn starts_with_word(text: &[u8], word: &str) -> bool {
 pub fn number_at(bytes: &[u8], at: usize) -> Option<NumberField> {
     let rest = bytes.get(at..)?;
     let (length, value, decimals) = plain_number(rest).or_else(|| any_number(rest))?;
-    Some(NumberField { span: Span::new(at, at + length), value, decimals, insertion: None, column: None })
+    NumberField::written(Span::new(at, at + length), value, decimals)
 }
 
 /// Length, value and decimals of a number of any spelling.
@@ -160,11 +216,11 @@ pub fn written(field: &NumberField, original: &[u8], decimal: &Decimal) -> (Span
         text.insert(0, '+');
     }
     if let Some(insertion) = &field.insertion {
-        return (field.span, format!("{}{text}{}", insertion.before, insertion.after));
+        return (field.span(), format!("{}{text}{}", insertion.before, insertion.after));
     }
-    match field.column {
+    match field.column() {
         Some(column) => (column, format!("{text:>width$}", width = column.len())),
-        None => (field.span, text),
+        None => (field.span(), text),
     }
 }
 
@@ -190,7 +246,7 @@ mod tests {
             ("1e+x", 1.0, 1, 0),
         ] {
             let field = field(text);
-            assert_eq!((field.value, field.span.len(), field.decimals), (value, length, decimals), "{text}");
+            assert_eq!((field.value, field.span().len(), field.decimals()), (value, length, decimals), "{text}");
         }
         for text in ["", "-", ".", "e5", "abc", "1e999"] {
             assert!(number_at(text.as_bytes(), 0).is_none(), "{text}");
@@ -202,10 +258,10 @@ mod tests {
         let plain = field("-12.34");
         assert_eq!(written(&plain, b"-12.34", &Decimal::nearest(-0.00001, 3)).1, "0.000");
         assert_eq!(written(&plain, b"+12.34", &Decimal::nearest(1.5, 2)).1, "+1.50");
-        let column = NumberField { column: Some(Span::new(0, 9)), ..field("1.5") };
+        let column = field("1.5").at(6).in_column_from(0);
         assert_eq!(written(&column, b"1.5", &Decimal::nearest(2.25, 3)), (Span::new(0, 9), "    2.250".into()));
-        let insertion = Some(Box::new(Insertion { before: " x=\"".into(), after: "\"".into(), repeats: false }));
-        let absent = NumberField { span: Span::new(7, 7), insertion, ..field("0") };
+        let insertion = Insertion { before: " x=\"".into(), after: "\"".into(), repeats: false };
+        let absent = NumberField::left_out(7, 0.0, 0, insertion);
         assert_eq!(written(&absent, b"", &Decimal::nearest(2.25, 2)), (Span::new(7, 7), " x=\"2.25\"".into()));
     }
 

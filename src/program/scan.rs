@@ -100,7 +100,7 @@ impl<'a> Cursor<'a> {
     /// A signed number, if one stands here.
     pub fn number(&mut self) -> Option<NumberField> {
         let field = number_at(&self.bytes[..self.end], self.at)?;
-        self.at = field.span.end;
+        self.at = field.span().end;
         Some(field)
     }
 

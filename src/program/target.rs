@@ -4,7 +4,8 @@
 //! Everything here is what the text says, in the file's own units and frames; nothing is decided yet.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-use std::sync::Arc;
+use std::ops::{Deref, DerefMut};
+use std::sync::{Arc, LazyLock};
 
 use nalgebra::Vector3;
 
@@ -15,6 +16,7 @@ use crate::geometry::orientation::{OrientationConvention, OrientationNumbers};
 use crate::geometry::pose::Pose;
 
 use super::number::NumberField;
+use super::shared::Shared;
 
 /// Everything that a dialect read from the files of one job.
 #[derive(Clone, Debug, Default)]
@@ -112,8 +114,8 @@ pub struct Target {
     pub value: TargetValue,
     /// Why its value is not in the text, if it is not: assigned at run time, arithmetic, untaught.
     pub computed: Option<String>,
-    /// Configuration data, as far as the language has any.
-    pub configuration: Configuration,
+    /// Configuration data, as far as the language has any; targets one after the other often share them.
+    pub configuration: Arc<Configuration>,
     /// Values of additional axes, as written (mm or deg).
     pub external_axes: Vec<ExternalAxis>,
     /// True for a pose in coordinates that travel with the robot on a track; else the frame stands in the cell.
@@ -170,11 +172,59 @@ pub struct CartesianNumbers {
     /// x, y, z.
     pub position: [NumberField; 3],
     /// The orientation, in the order of `convention`.
-    pub orientation: Vec<NumberField>,
+    pub orientation: OrientationFields,
     /// What the orientation numbers mean.
     pub convention: OrientationConvention,
     /// Units of the numbers.
     pub units: Units,
+}
+
+/// The three or four numbers of an orientation, in place: used as a slice.
+#[derive(Clone, Debug, Default)]
+pub struct OrientationFields {
+    fields: [NumberField; 4],
+    count: u8,
+}
+
+impl From<[NumberField; 4]> for OrientationFields {
+    fn from(fields: [NumberField; 4]) -> Self {
+        Self { fields, count: 4 }
+    }
+}
+
+impl From<[NumberField; 3]> for OrientationFields {
+    fn from(fields: [NumberField; 3]) -> Self {
+        fields.into_iter().collect()
+    }
+}
+
+/// Of more than four numbers only the first four are taken.
+impl FromIterator<NumberField> for OrientationFields {
+    fn from_iter<I: IntoIterator<Item = NumberField>>(numbers: I) -> Self {
+        let mut all = Self::default();
+        for (place, number) in all.fields.iter_mut().zip(numbers) {
+            *place = number;
+            all.count += 1;
+        }
+        all
+    }
+}
+
+impl<'a> IntoIterator for &'a OrientationFields {
+    type Item = &'a NumberField;
+    type IntoIter = std::slice::Iter<'a, NumberField>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+impl Deref for OrientationFields {
+    type Target = [NumberField];
+
+    fn deref(&self) -> &[NumberField] {
+        &self.fields[..usize::from(self.count)]
+    }
 }
 
 /// The numbers of a joint target: six robot axes in the controller's order and sense.
@@ -241,6 +291,13 @@ pub struct Use {
     pub file: usize,
     /// The statement.
     pub span: Span,
+    /// How it goes there; moves one after the other often share it.
+    pub way: Arc<Way>,
+}
+
+/// How a move goes to a target.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Way {
     /// The word of the language: `MoveL`, `LIN`, `L`.
     pub motion: Arc<str>,
     /// How the arm travels there.
@@ -295,6 +352,19 @@ impl Reference {
     }
 }
 
+impl Configuration {
+    /// That of a language or target that says nothing.
+    pub fn unsaid() -> Arc<Self> {
+        static UNSAID: LazyLock<Arc<Configuration>> = LazyLock::new(Arc::default);
+        Arc::clone(&UNSAID)
+    }
+
+    /// The same, in one place with all others that say nothing.
+    pub fn into_shared(self) -> Arc<Self> {
+        if self == Self::default() { Self::unsaid() } else { Arc::new(self) }
+    }
+}
+
 impl Program {
     /// Names are compared without regard to case: the spelling under which definitions are filed.
     pub fn key(name: &str) -> String {
@@ -320,6 +390,48 @@ impl Program {
     /// else stands there concerns other jobs.
     pub fn concerns(&self, target: &Target) -> bool {
         !self.read_only.contains(&target.file) || target.uses.iter().any(|one| !self.read_only.contains(&one.file))
+    }
+}
+
+impl Use {
+    /// A move that stands at `span` of a file.
+    pub fn new(file: usize, span: Span, way: impl Into<Arc<Way>>) -> Self {
+        Self { file, span, way: way.into() }
+    }
+
+    /// The same move, its way in one place with equal ones before it.
+    #[must_use]
+    pub fn sharing(self, ways: &mut Shared<Way>) -> Self {
+        Self { way: ways.share(self.way), ..self }
+    }
+
+    /// The same move in another frame.
+    #[must_use]
+    pub fn in_frame(mut self, frame: Reference) -> Self {
+        self.frame = frame;
+        self
+    }
+
+    /// The same move, known only at run time for this reason.
+    #[must_use]
+    pub fn computed_by(mut self, reason: String) -> Self {
+        self.computed = Some(reason);
+        self
+    }
+}
+
+impl Deref for Use {
+    type Target = Way;
+
+    fn deref(&self) -> &Way {
+        &self.way
+    }
+}
+
+/// Changes the way of this move alone.
+impl DerefMut for Use {
+    fn deref_mut(&mut self) -> &mut Way {
+        Arc::make_mut(&mut self.way)
     }
 }
 

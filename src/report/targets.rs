@@ -18,10 +18,10 @@ pub const SCHEMA: &str = "falsetarget/targets/1";
 
 /// The whole report.
 #[derive(Clone, Debug, Serialize)]
-pub struct TargetsReport {
+pub struct TargetsReport<'a> {
     schema: &'static str,
     /// One a file.
-    pub files: Vec<FileReport>,
+    pub files: Vec<FileReport<'a>>,
     /// Counts over all files.
     pub summary: Summary,
 }
@@ -43,15 +43,50 @@ pub struct Summary {
 
 /// One file.
 #[derive(Clone, Debug, Serialize)]
-pub struct FileReport {
+pub struct FileReport<'a> {
     /// Its path, as given.
-    pub path: String,
+    pub path: &'a str,
     /// The id of its dialect.
     pub dialect: &'static str,
     encoding: String,
     newline: String,
     /// Its targets, in the order of the text.
-    pub targets: Vec<TargetReport>,
+    pub targets: TargetList<'a>,
+}
+
+/// The targets of a file. Each is described when it is asked for: a large program has millions.
+#[derive(Clone, Copy, Debug)]
+pub struct TargetList<'a> {
+    sources: &'a [Source],
+    program: &'a Program,
+    outcome: Option<&'a Outcome>,
+    file: usize,
+}
+
+impl<'a> TargetList<'a> {
+    /// The targets that concern the job, with what became of them.
+    fn targets(self) -> impl Iterator<Item = (&'a Target, Option<&'a TargetOutcome>)> {
+        let own = move |target: &Target| target.file == self.file && self.program.concerns(target);
+        let result = move |index: usize| self.outcome.and_then(|outcome| outcome.targets.get(index));
+        let all = self.program.targets.iter().enumerate().filter(move |(_, target)| own(target));
+        all.map(move |(index, target)| (target, result(index)))
+    }
+
+    /// Each of them, in the order of the text.
+    pub fn iter(self) -> impl Iterator<Item = TargetReport> {
+        self.targets().map(move |(target, result)| target_report(self.sources, self.program, target, result))
+    }
+
+    fn classes(self) -> impl Iterator<Item = Class> {
+        let by_text = move |target| class_by_text(self.program, self.sources, target).0;
+        self.targets().map(move |(target, result)| result.map_or_else(|| by_text(target), |result| result.class))
+    }
+}
+
+impl Serialize for TargetList<'_> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.iter())
+    }
 }
 
 /// One target.
@@ -98,14 +133,14 @@ pub struct TargetReport {
     u95_mm: Option<f64>,
 }
 
-impl TargetsReport {
+impl<'a> TargetsReport<'a> {
     /// From files, in their order.
-    pub fn new(files: Vec<FileReport>) -> Self {
+    pub fn new(files: Vec<FileReport<'a>>) -> Self {
         // A file that several jobs share is listed with each.
-        let paths: BTreeSet<&str> = files.iter().map(|file| file.path.as_str()).collect();
+        let paths: BTreeSet<&str> = files.iter().map(|file| file.path).collect();
         let mut summary = Summary { files: paths.len(), ..Summary::default() };
-        for target in files.iter().flat_map(|file| &file.targets) {
-            match target.class {
+        for class in files.iter().flat_map(|file| file.targets.classes()) {
+            match class {
                 Class::Corrected => summary.corrected += 1,
                 Class::Joint => summary.joint += 1,
                 Class::Computed => summary.computed += 1,
@@ -135,31 +170,22 @@ impl TargetReport {
 
 /// The reports of the files of one job: by the text alone, or with what `outcome` says. Files that the job only reads
 /// are listed where they hold targets.
-pub fn files(
-    sources: &[Source],
+pub fn files<'a>(
+    sources: &'a [Source],
     dialect: &dyn Dialect,
-    program: &Program,
-    outcome: Option<&Outcome>,
-) -> Vec<FileReport> {
-    let has_targets =
-        |file: usize| program.targets.iter().any(|target| target.file == file && program.concerns(target));
-    let report = |(file, source): (usize, &Source)| FileReport {
-        path: source.name().to_string(),
+    program: &'a Program,
+    outcome: Option<&'a Outcome>,
+) -> Vec<FileReport<'a>> {
+    let targets = |file: usize| TargetList { sources, program, outcome, file };
+    let report = |(file, source): (usize, &'a Source)| FileReport {
+        path: source.name(),
         dialect: dialect.meta().id,
         encoding: source.encoding(dialect.meta().code_page).to_string(),
         newline: source.newline().to_string(),
-        targets: program
-            .targets
-            .iter()
-            .enumerate()
-            .filter(|(_, target)| target.file == file && program.concerns(target))
-            .map(|(index, target)| {
-                let result = outcome.and_then(|outcome| outcome.targets.get(index));
-                target_report(sources, program, target, result)
-            })
-            .collect(),
+        targets: targets(file),
     };
-    let listed = |(file, _): &(usize, &Source)| !program.read_only.contains(file) || has_targets(*file);
+    let listed =
+        |(file, _): &(usize, &Source)| !program.read_only.contains(file) || targets(*file).targets().next().is_some();
     sources.iter().enumerate().filter(listed).map(report).collect()
 }
 

@@ -31,7 +31,7 @@ fn rounded<const N: usize>(
     rules: &NumberRules,
     error: impl Fn(&[f64]) -> f64,
 ) -> [Decimal; N] {
-    let own = |at: usize| fields.get(at).map_or(0, |field| field.decimals.min(rules.max_decimals));
+    let own = |at: usize| fields.get(at).map_or(0, |field| field.decimals().min(rules.max_decimals));
     let as_in_file: [Decimal; N] = std::array::from_fn(|at| Decimal::nearest(exact[at], own(at)));
     let values = as_in_file.map(|decimal| decimal.value());
     if error(&values[..fields.len().min(N)]) <= ROUNDING {
@@ -58,7 +58,7 @@ fn push_group<const N: usize>(
             write_repeated(edits, source, field);
             continue;
         }
-        let (span, text) = written(field, source.slice(field.span), decimal);
+        let (span, text) = written(field, source.slice(field.span()), decimal);
         edits.push(span, text);
         *read = rounded;
     }
@@ -100,7 +100,7 @@ pub fn write_pose(
 /// Writes out a number that is left out because it is that of the target before.
 fn write_repeated(edits: &mut EditSet, source: &Source, field: &NumberField) {
     if field.repeats() {
-        let (span, text) = written(field, source.slice(field.span), &Decimal::nearest(field.value, field.decimals));
+        let (span, text) = written(field, source.slice(field.span()), &Decimal::nearest(field.value, field.decimals()));
         edits.push(span, text);
     }
 }
@@ -154,7 +154,7 @@ mod tests {
         let mut at = 0;
         std::array::from_fn(|_| {
             let field = number_at(text.as_bytes(), at).expect("a number");
-            at = field.span.end + 1;
+            at = field.span().end + 1;
             field
         })
     }
@@ -176,12 +176,9 @@ mod tests {
     #[test]
     fn numbers_that_repeat_are_written_out_even_where_they_stay() {
         let source = Source::new("t", "G1 X1.0 Y2.0");
-        let mut fields = fields("1.0,2.0,3.0");
-        fields[0].span = crate::base::text::Span::new(4, 7);
-        fields[1].span = crate::base::text::Span::new(9, 12);
-        fields[2].span = crate::base::text::Span::new(12, 12);
+        let number = |at| number_at(source.bytes(), at).expect("a number");
         let insertion = crate::program::number::Insertion { before: " Z".into(), after: String::new(), repeats: true };
-        fields[2].insertion = Some(Box::new(insertion));
+        let fields = [number(4), number(9), NumberField::left_out(12, 3.0, 1, insertion)];
         let mut edits = EditSet::default();
         let exact_m = nalgebra::Vector3::new(1.0e-3, 2.5e-3, 3.0e-3);
         write_position(&mut edits, &source, &fields, Units::MM_DEG, &NumberRules::default(), &exact_m);

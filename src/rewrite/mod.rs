@@ -1,12 +1,15 @@
 //! Floor 5: a program, a cell and a model of the real arm become a corrected program and a list that says what
 //! happened to every target.
 
+mod arrivals;
 mod carriers;
 pub mod class;
 pub mod correct;
 mod digits;
 mod displaced;
+mod false_target;
 pub mod outcome;
+mod pass;
 pub mod play;
 mod setting;
 pub mod spin;

@@ -1,8 +1,6 @@
 //! What happened to every target of a job.
 
 use crate::base::edit::EditSet;
-use crate::geometry::pose::Pose;
-use crate::model::robot::DOF;
 
 use super::class::Class;
 
@@ -28,8 +26,9 @@ pub struct TargetOutcome {
     pub shared: bool,
 }
 
-/// The figures of a corrected target.
-#[derive(Clone, Debug, PartialEq)]
+/// The figures of a corrected target. There are millions of them in a large program: what can be read from the program
+/// again, before or after, is not kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Figures {
     /// Distance between the written and the corrected target, m.
     pub correction_m: f64,
@@ -37,16 +36,6 @@ pub struct Figures {
     pub correction_rad: f64,
     /// Steps of the inversion.
     pub iterations: usize,
-    /// Joint numbers that the controller commanded before, rad.
-    pub nominal_rad: [f64; DOF],
-    /// Joint numbers that it commands now, rad.
-    pub numbers_rad: [f64; DOF],
-    /// The target as written before, in its frame.
-    pub before: Pose,
-    /// The target as written now, in its frame, digits and all.
-    pub after: Pose,
-    /// Where the real arm would have landed, in the frame of the target.
-    pub lands_before: Pose,
     /// Orientation error that stays because a displaced target shares the orientation of its base, rad.
     pub orientation_left_rad: f64,
 }

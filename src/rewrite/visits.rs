@@ -14,71 +14,91 @@ use crate::program::target::{Configuration, PathKind, Program, TargetValue};
 use super::class::{Class, class_by_value};
 use super::setting::{Obstacle, Setting, Settings};
 
-/// One arrival at a target.
+/// One arrival at a target. Large programs have millions of them: numbers of things are kept in four bytes.
 #[derive(Clone, Debug)]
 pub struct Visit {
-    /// The target.
-    pub target: usize,
-    /// Which of its uses.
-    pub one_use: usize,
-    /// The tool, frame and load there.
-    pub setting: usize,
+    target: u32,
+    one_use: u32,
+    setting: u32,
     /// Joint numbers that the controller commands for the target as written, rad, or what is in the way.
-    pub nominal_rad: Result<[f64; DOF], Obstacle>,
-    /// The written target in its frame; identity for joint targets.
-    pub written: Pose,
+    pub nominal_rad: Result<[f64; DOF], Box<Obstacle>>,
 }
+
+impl Visit {
+    /// The target.
+    pub fn target(&self) -> usize {
+        self.target as usize
+    }
+
+    /// Which of its uses.
+    pub fn one_use(&self) -> usize {
+        self.one_use as usize
+    }
+
+    /// The tool, frame and load there.
+    pub fn setting(&self) -> usize {
+        self.setting as usize
+    }
+
+    /// The joint numbers, where there are any, rad.
+    pub fn numbers_rad(&self) -> Option<[f64; DOF]> {
+        self.nominal_rad.as_ref().ok().copied()
+    }
+}
+
+/// The sense in which each joint comes to a visit: -1, 0 (unknown or both), +1.
+pub type Senses = [i8; DOF];
 
 /// Turn, rad, below which a joint counts as not having moved (per metre of line, on a line).
 const STILL_RAD: f64 = 1e-7;
 
 /// Follows the program through its static moves, in the order in which they stand in the text.
 pub fn follow(program: &Program, settings: &mut Settings<'_>, controller: &Controller) -> Vec<Visit> {
-    let mut arrivals: Vec<(usize, usize)> = Vec::new();
-    for (index, target) in program.targets.iter().enumerate() {
+    let mut arrivals: Vec<(u32, u32)> = Vec::new();
+    for (index, target) in (0u32..).zip(&program.targets) {
         let (class, _) = class_by_value(target);
         if class == Class::Corrected || class == Class::Joint {
-            let moves = target.uses.iter().enumerate().filter(|(_, one)| one.computed.is_none());
+            let moves = (0u32..).zip(&target.uses).filter(|(_, one)| one.computed.is_none());
             arrivals.extend(moves.map(|(one_use, _)| (index, one_use)));
         }
     }
     arrivals.sort_by_key(|&(target, one_use)| {
-        let one = &program.targets[target].uses[one_use];
+        let one = &program.targets[target as usize].uses[one_use as usize];
         (one.file, one.span.start, one.path == PathKind::ArcEnd, target)
     });
 
     let mut visits = Vec::with_capacity(arrivals.len());
     let mut previous: Option<[f64; DOF]> = None;
     for (target, one_use) in arrivals {
-        let one = &program.targets[target].uses[one_use];
+        let one = &program.targets[target as usize].uses[one_use as usize];
         let setting = settings.of(one);
-        let here = settings.at(setting, &program.targets[target]);
-        let (written, nominal_rad) = arrive(program, target, &here, controller, previous);
+        let here = settings.at(setting, &program.targets[target as usize]);
+        let nominal_rad = arrive(program, target as usize, &here, controller, previous).map_err(Box::new);
         previous = nominal_rad.as_ref().ok().copied().or(previous);
-        visits.push(Visit { target, one_use, setting, nominal_rad, written });
+        visits.push(Visit { target, one_use, setting: setting as u32, nominal_rad });
     }
     visits
 }
 
-/// The sense in which each joint comes to each visit, when the arm stands at `numbers` there: -1, 0 (unknown), +1. A
-/// joint that does not move keeps the sense that it had; visits without numbers are passed over.
+/// The sense in which each joint comes to each visit, when the arm stands at `numbers` there. A joint that does not move
+/// keeps the sense that it had; visits without numbers are passed over.
 pub fn senses(
     program: &Program,
     controller: &Controller,
     visits: &[Visit],
-    numbers: impl Fn(usize) -> Option<[f64; DOF]>,
-) -> Vec<[f64; DOF]> {
-    let mut sense = [0.0; DOF];
+    numbers: impl Fn(&Visit) -> Option<[f64; DOF]>,
+) -> Vec<Senses> {
+    let mut sense = [0; DOF];
     let mut previous: Option<[f64; DOF]> = None;
     let mut all = Vec::with_capacity(visits.len());
-    for (index, visit) in visits.iter().enumerate() {
-        if let Some(here) = numbers(index) {
+    for visit in visits {
+        if let Some(here) = numbers(visit) {
             if let Some(last) = &previous {
-                let path = program.targets[visit.target].uses[visit.one_use].path;
+                let path = program.targets[visit.target()].uses[visit.one_use()].path;
                 let way = arriving(controller, path, last, &here);
                 sense = std::array::from_fn(|joint| match way[joint].abs() < STILL_RAD {
                     true => sense[joint],
-                    false => way[joint].signum(),
+                    false => way[joint].signum() as i8,
                 });
             }
             previous = Some(here);
@@ -94,32 +114,23 @@ fn arrive(
     setting: &Result<Cow<'_, Setting>, Obstacle>,
     controller: &Controller,
     previous: Option<[f64; DOF]>,
-) -> (Pose, Result<[f64; DOF], Obstacle>) {
+) -> Result<[f64; DOF], Obstacle> {
     let target = &program.targets[target];
     if let TargetValue::Joint(numbers) = &target.value {
         let numbers_rad = numbers.numbers_rad();
-        let within = match controller.robot().limit_violation(&numbers_rad, LIMIT_SLACK_RAD) {
+        return match controller.robot().limit_violation(&numbers_rad, LIMIT_SLACK_RAD) {
             None => Ok(numbers_rad),
             Some(violation) => Err(Obstacle::refused(violation.to_string())),
         };
-        return (Pose::identity(), within);
     }
-    let Some(written) = written_pose(program, &target.value) else {
-        return (Pose::identity(), Err(Obstacle::refused("its numbers make no pose")));
-    };
-    let setting = match setting {
-        Ok(setting) => setting,
-        Err(obstacle) => return (written, Err(obstacle.clone())),
-    };
-    let flange = setting.nominal_flange(&written);
+    let written = written_pose(program, &target.value).ok_or_else(|| Obstacle::refused("its numbers make no pose"))?;
+    let flange = setting.as_ref().map_err(Obstacle::clone)?.nominal_flange(&written);
     let distance_m = flange.translation.norm();
     if distance_m.is_nan() || distance_m > FARTHEST_M {
-        return (written, Err(Obstacle::refused("out of reach: its numbers are no place on earth")));
+        return Err(Obstacle::refused("out of reach: its numbers are no place on earth"));
     }
-    match controller.solve(&flange, &wish(&target.configuration), previous.as_ref()) {
-        Ok(choice) => (written, Ok(choice.numbers_rad)),
-        Err(error) => (written, Err(Obstacle::refused(error.to_string()))),
-    }
+    let choice = controller.solve(&flange, &wish(&target.configuration), previous.as_ref());
+    choice.map(|choice| choice.numbers_rad).map_err(|error| Obstacle::refused(error.to_string()))
 }
 
 /// Whatever stands farther away is a slip of the pen; squares of its numbers would leave what a double holds.

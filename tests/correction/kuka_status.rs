@@ -9,7 +9,8 @@ use falsetarget::files::cell::Cell;
 use falsetarget::kinematics::controller::Controller;
 use falsetarget::model::arm::ArmModel;
 use falsetarget::program::dialect;
-use falsetarget::rewrite::correct::{Job, Options, correct};
+use falsetarget::program::target::{Configuration, TargetValue};
+use falsetarget::rewrite::play::play;
 
 /// The number behind ` T ` or ` 'B..'` of a position, as the text has it.
 fn turn(text: &str) -> Option<u32> {
@@ -37,17 +38,15 @@ fn axes_stand_at_the_sides_that_the_turn_says() {
             .iter()
             .map(|target| turn(&sources[target.file].text(Span::new(target.span.start, target.span.end))))
             .collect();
-        program.targets.iter_mut().for_each(|target| target.configuration = Default::default());
+        program.targets.iter_mut().for_each(|target| target.configuration = Configuration::unsaid());
         let robot = by_name("kuka-kr210-r2700").expect("built in").expect("sound");
         let controller = Controller::new(&robot);
-        let cell = Cell::default();
-        let job = Job { sources: &sources, program: &program, rules: krl.meta().numbers, cell: &cell };
-        let outcome = correct(&job, &ArmModel::controller(robot), &controller, &Options::default());
-        for ((result, said), target) in outcome.targets.iter().zip(said).zip(&program.targets) {
-            let (Some(figures), Some(said)) = (&result.figures, said) else { continue };
-            let signs =
-                (0..6).filter(|&joint| figures.nominal_rad[joint] < 0.0).fold(0, |bits, joint| bits | 1 << joint);
-            assert_eq!(signs, said, "{:?}: {:?}", target.name, figures.nominal_rad.map(f64::to_degrees));
+        for arrival in play(&program, &Cell::default(), &ArmModel::controller(robot), &controller) {
+            let target = &program.targets[arrival.target];
+            let (TargetValue::Cartesian(_), Some(said)) = (&target.value, said[arrival.target]) else { continue };
+            let numbers = arrival.numbers_rad;
+            let signs = (0..6).filter(|&joint| numbers[joint] < 0.0).fold(0, |bits, joint| bits | 1 << joint);
+            assert_eq!(signs, said, "{:?}: {:?}", target.name, numbers.map(f64::to_degrees));
             checked += 1;
         }
     }

@@ -284,7 +284,7 @@ fn without_insertions(target: &Target, changed: &Target, again: &Source) -> Vec<
         .into_iter()
         .zip(fields(&changed.value))
         .filter(|(_, now)| now.insertion.is_none())
-        .filter_map(|(before, now)| Some((before.insertion.clone()?, now.span)))
+        .filter_map(|(before, now)| Some((before.insertion.clone()?, now.span())))
         .collect();
     inserted.sort_by_key(|(_, span)| std::cmp::Reverse(*span));
     for (insertion, span) in inserted {
@@ -306,8 +306,8 @@ fn fields(value: &TargetValue) -> Vec<&NumberField> {
 
 fn has_columns(value: &TargetValue) -> bool {
     match value {
-        TargetValue::Cartesian(numbers) => numbers.position.iter().any(|field| field.column.is_some()),
-        TargetValue::Joint(numbers) => numbers.joints.iter().any(|field| field.column.is_some()),
+        TargetValue::Cartesian(numbers) => numbers.position.iter().any(|field| field.column().is_some()),
+        TargetValue::Joint(numbers) => numbers.joints.iter().any(|field| field.column().is_some()),
         TargetValue::Displaced(_) | TargetValue::Counts | TargetValue::Unwritten => false,
     }
 }

@@ -63,5 +63,5 @@ fn configuration([shoulder, elbow, wrist]: [&str; 3]) -> falsetarget::program::t
         "<Programs xmlns=\"{space}/Program/2\"><Program name=\"start\"><Code><![CDATA[movel(p,t,m)]]></Code></Program></Programs>"
     );
     let read = dialect::by_id("val3").expect("VAL3").read(&[Source::new("d", data), Source::new("c", code)]);
-    read.targets[0].configuration.clone()
+    read.targets[0].configuration.as_ref().clone()
 }

@@ -101,7 +101,7 @@ fn orientation(value: &str) -> Option<OrientationConvention> {
         other => {
             let direction = other.strip_prefix("tool-axis,")?.as_bytes();
             let [sign @ (b'+' | b'-'), axis @ b'x'..=b'z'] = direction else { return None };
-            OrientationConvention::ToolAxis(SpinRule { axis: usize::from(axis - b'x'), against: *sign == b'-' })
+            OrientationConvention::ToolAxis(SpinRule { axis: axis - b'x', against: *sign == b'-' })
         }
     })
 }

@@ -7,8 +7,9 @@ use crate::base::text::{Source, Span};
 use crate::geometry::orientation::OrientationConvention;
 use crate::program::dialect::stated::Stated;
 use crate::program::number::{Insertion, NumberField};
+use crate::program::shared::Shared;
 use crate::program::target::{
-    CartesianNumbers, Configuration, LengthUnit, PathKind, Program, Reference, Target, TargetValue, Units, Use,
+    CartesianNumbers, Configuration, LengthUnit, PathKind, Program, Reference, Target, TargetValue, Units, Use, Way,
 };
 
 use super::statement::{Part, Statement, parts};
@@ -61,6 +62,7 @@ struct Reader<'a> {
     rapid: bool,
     arcs: Vec<Span>,
     without_axis: Vec<Span>,
+    ways: Shared<Way>,
 }
 
 /// Words behind which points are not where the tool goes, and what the words do.
@@ -90,6 +92,7 @@ impl<'a> Reader<'a> {
             rapid: false,
             arcs: Vec::new(),
             without_axis: Vec::new(),
+            ways: Shared::default(),
         }
     }
 
@@ -203,7 +206,7 @@ impl<'a> Reader<'a> {
         }
         let value = CartesianNumbers {
             position: [x, y, z],
-            orientation: axis,
+            orientation: axis.into_iter().collect(),
             convention: self.stated.orientation.unwrap_or(OrientationConvention::FixedXyz),
             units: Units {
                 length: self.units.or(self.stated.length).unwrap_or(LengthUnit::Millimetre),
@@ -219,9 +222,7 @@ impl<'a> Reader<'a> {
 
     fn push(&mut self, statement: &Statement, value: TargetValue, computed: Option<String>, program: &mut Program) {
         let rapid = std::mem::take(&mut self.rapid);
-        let one = Use {
-            file: self.file,
-            span: statement.span,
+        let way = Way {
             motion: Arc::from(if rapid { "RAPID" } else { statement.major.as_str() }),
             path: if rapid { PathKind::Other } else { PathKind::Linear },
             tool: self.tool.clone().unwrap_or_else(|| self.stated.tool.clone()),
@@ -229,13 +230,14 @@ impl<'a> Reader<'a> {
             grip_load: Reference::Unnamed,
             computed: None,
         };
+        let one = Use::new(self.file, statement.span, self.ways.share(way));
         program.targets.push(Target {
             file: self.file,
             name: None,
             span: statement.span,
             value,
             computed,
-            configuration: Configuration::default(),
+            configuration: Configuration::unsaid(),
             external_axes: Vec::new(),
             rides_along: false,
             uses: vec![one],
@@ -256,9 +258,6 @@ fn tool(number: &str) -> Reference {
 /// The axis of the motion before, to be written behind the point.
 fn left_out(at: usize, before: &[NumberField]) -> Vec<NumberField> {
     let insertion = Insertion { before: ",".into(), after: String::new(), repeats: true };
-    let span = Span::new(at, at);
-    before
-        .iter()
-        .map(|field| NumberField { span, insertion: Some(Box::new(insertion.clone())), ..field.clone() })
-        .collect()
+    let left_out = |field: &NumberField| NumberField::left_out(at, field.value, field.decimals(), insertion.clone());
+    before.iter().map(left_out).collect()
 }

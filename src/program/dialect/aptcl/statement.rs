@@ -129,7 +129,7 @@ impl Statement {
 
     /// The first `count` minors as numbers.
     pub fn numbers(&self, source: &Source, count: usize) -> Option<Vec<NumberField>> {
-        let whole = |minor: &Span| number_at(source.bytes(), minor.start).filter(|field| field.span == *minor);
+        let whole = |minor: &Span| number_at(source.bytes(), minor.start).filter(|field| field.span() == *minor);
         (self.minors.len() >= count).then(|| self.minors[..count].iter().map(whole).collect())?
     }
 }

@@ -7,9 +7,10 @@ use crate::base::text::{Source, Span};
 use crate::geometry::orientation::OrientationConvention;
 use crate::program::dialect::stated::Stated;
 use crate::program::number::{NumberField, number_at};
+use crate::program::shared::Shared;
 use crate::program::target::{
-    CartesianNumbers, Configuration, ExternalAxis, JointNumbers, LengthUnit, PathKind, Program, Reference, Target,
-    TargetValue, Units, Use,
+    CartesianNumbers, Configuration, ExternalAxis, JointNumbers, LengthUnit, OrientationFields, PathKind, Program,
+    Reference, Target, TargetValue, Units, Use, Way,
 };
 
 use super::header::{Column, Header, Unit};
@@ -38,7 +39,7 @@ pub(super) fn recognises(source: &Source) -> bool {
 pub(super) fn read(sources: &[Source]) -> Program {
     let mut program = Program::default();
     for (file, source) in sources.iter().enumerate() {
-        let mut list = List { source, file, stated: Stated::default(), table: None };
+        let mut list = List { source, file, stated: Stated::default(), table: None, ways: Shared::default() };
         for line in meaningful(source) {
             list.line(line, &mut program);
         }
@@ -64,7 +65,7 @@ fn texts(source: &Source, line: Span, delimiter: u8) -> Vec<String> {
 }
 
 fn whole_number(source: &Source, cell: Span) -> Option<NumberField> {
-    number_at(source.bytes(), cell.start).filter(|number| number.span.end == cell.end)
+    number_at(source.bytes(), cell.start).filter(|number| number.span().end == cell.end)
 }
 
 /// A list while it is read.
@@ -73,6 +74,7 @@ struct List<'a> {
     file: usize,
     stated: Stated,
     table: Option<Table>,
+    ways: Shared<Way>,
 }
 
 /// What the header says.
@@ -172,7 +174,7 @@ impl List<'_> {
         }
     }
 
-    fn row(&self, line: Span, table: &Table, program: &mut Program) {
+    fn row(&mut self, line: Span, table: &Table, program: &mut Program) {
         let cells = cells(self.source.bytes(), line, table.delimiter);
         let header = &table.header;
         let broken = |message: String, at: Span| Diagnostic::error("broken-row", message).at(self.file, at, "");
@@ -204,9 +206,7 @@ impl List<'_> {
             _ => None,
         };
         let motion = text(header.motion).unwrap_or_else(|| "row".into());
-        let one = Use {
-            file: self.file,
-            span: line,
+        let way = Way {
             path: path(&motion),
             motion: Arc::from(motion),
             tool: named(header.tool, &self.stated.tool),
@@ -214,6 +214,7 @@ impl List<'_> {
             grip_load: Reference::Unnamed,
             computed: None,
         };
+        let one = Use::new(self.file, line, self.ways.share(way));
         let near_joints_deg = near.map(|numbers| numbers.map(f64::to_degrees));
         program.targets.push(Target {
             file: self.file,
@@ -221,7 +222,7 @@ impl List<'_> {
             span: line,
             value,
             computed: None,
-            configuration: Configuration { near_joints_deg, ..Configuration::default() },
+            configuration: Configuration { near_joints_deg, ..Configuration::default() }.into_shared(),
             external_axes: external_axes.collect(),
             rides_along: false,
             uses: vec![one],
@@ -242,7 +243,7 @@ impl List<'_> {
         let [x, y, z] = position;
         let length = self.length(*x).ok_or(cells[x.index])?;
         let radians = orientation.columns.first().and_then(|column| self.radians(*column)).unwrap_or(false);
-        let turned: Result<Vec<NumberField>, Span> = orientation.columns.iter().map(number).collect();
+        let turned: Result<OrientationFields, Span> = orientation.columns.iter().map(number).collect();
         Ok(TargetValue::Cartesian(Box::new(CartesianNumbers {
             position: [number(x)?, number(y)?, number(z)?],
             orientation: turned?,

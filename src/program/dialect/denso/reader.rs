@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::base::text::Source;
 use crate::geometry::pose::Pose;
 use crate::program::dialect::script::{Position, Positions, Selected, Text, Tokens, under_condition};
-use crate::program::target::{Definition, FrameData, PathKind, Program, Reference, TargetValue, ToolData, Use};
+use crate::program::target::{Definition, FrameData, PathKind, Program, Reference, TargetValue, ToolData, Use, Way};
 
 use super::LEXIS;
 use super::statement::{Names, goals, position, unmarked};
@@ -137,16 +137,18 @@ impl Reader<'_> {
 
     fn one(&self, word: &str, path: PathKind, statement: &Range<usize>, computed: Option<String>) -> Use {
         let span = self.text.span(statement);
-        Use {
-            file: self.file,
+        Use::new(
+            self.file,
             span,
-            motion: Arc::from(word),
-            path,
-            tool: self.selected.tool(span.start),
-            frame: self.selected.frame(span.start),
-            grip_load: Reference::Unnamed,
-            computed,
-        }
+            Way {
+                motion: Arc::from(word),
+                path,
+                tool: self.selected.tool(span.start),
+                frame: self.selected.frame(span.start),
+                grip_load: Reference::Unnamed,
+                computed,
+            },
+        )
     }
 
     fn go(&mut self, goal: &Range<usize>, path: PathKind, word: &str, statement: &Range<usize>, why: Option<String>) {

@@ -9,7 +9,7 @@ use crate::geometry::orientation::OrientationConvention;
 use crate::program::dialect::script::{
     Kind, Position, Positions, Selected, Text, Tokens, joints_of, pose_of, under_condition,
 };
-use crate::program::target::{PathKind, Program, Reference, TargetValue, Use};
+use crate::program::target::{PathKind, Program, Reference, TargetValue, Use, Way};
 
 use super::LEXIS;
 use super::motion::{Bare, Motion, is_motion, motion, reference};
@@ -161,16 +161,18 @@ impl Reader<'_> {
     fn go(&mut self, goal: &Range<usize>, path: PathKind, index: usize, statement: &Range<usize>, motion: &Motion) {
         let offset = self.text.span(statement).start;
         let frame = motion.frame.clone();
-        let one = Use {
-            file: self.file,
-            span: self.text.span(statement),
-            motion: Arc::from(motion.word.as_str()),
-            path,
-            tool: self.selected.tool(offset),
-            frame: frame.unwrap_or_else(|| self.selected.frame(offset)),
-            grip_load: Reference::Unnamed,
-            computed: motion.computed.clone(),
-        };
+        let one = Use::new(
+            self.file,
+            self.text.span(statement),
+            Way {
+                motion: Arc::from(motion.word.as_str()),
+                path,
+                tool: self.selected.tool(offset),
+                frame: frame.unwrap_or_else(|| self.selected.frame(offset)),
+                grip_load: Reference::Unnamed,
+                computed: motion.computed.clone(),
+            },
+        );
         let mention = self.text.span(goal);
         let mut named: Option<(String, String)> = None;
         let mut value = goal.clone();

@@ -174,19 +174,17 @@ fn number(bytes: &[u8], cursor: &mut Cursor<'_>) -> EntryValue {
         return EntryValue::Stars;
     }
     let aligned = cursor.offset() == column_start + only_blanks;
-    let Some(mut field) = cursor.number() else { return EntryValue::Broken };
+    let Some(field) = cursor.number() else { return EntryValue::Broken };
     // `12.3.4` is no number, and neither is `1-2`.
     if cursor.peek().is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b'+' | b'-')) {
         cursor.skip_while(|byte| !byte.is_ascii_whitespace() && byte != b',');
         unit(cursor);
         return EntryValue::Broken;
     }
-    let column = Span::new(column_start, field.span.end);
-    if aligned && column.len() >= CONTROLLER_COLUMNS && bytes.get(field.span.end) == Some(&b' ') {
-        field.column = Some(column);
-    }
+    let column = Span::new(column_start, field.span().end);
+    let in_column = aligned && column.len() >= CONTROLLER_COLUMNS && bytes.get(field.span().end) == Some(&b' ');
     unit(cursor);
-    EntryValue::Number(field)
+    EntryValue::Number(if in_column { field.in_column_from(column_start) } else { field })
 }
 
 /// `mm` or `deg` behind a number, which would else be taken for a key.

@@ -107,7 +107,7 @@ fn value(block: &Block, number: impl Fn(&str) -> Option<NumberField>) -> (Target
     if let Some([x, y, z, w, p, r]) = six(CARTESIAN_KEYS) {
         let numbers = CartesianNumbers {
             position: [x, y, z],
-            orientation: vec![w, p, r],
+            orientation: [w, p, r].into(),
             convention: OrientationConvention::FixedXyz,
             units: Units::MM_DEG,
         };

@@ -8,7 +8,10 @@ use crate::geometry::pose::Pose;
 use crate::program::number::starts_with_word;
 use crate::program::scan::Cursor;
 use crate::program::selection::{InForce, Selections};
-use crate::program::target::{Definition, FrameData, Program, Reference, Target, TargetValue, ToolData, Use};
+use crate::program::shared::Shared;
+use crate::program::target::{
+    Configuration, Definition, FrameData, Program, Reference, Target, TargetValue, ToolData, Use, Way,
+};
 
 use super::block::blocks;
 use super::motion::{Goal, Motion, motion};
@@ -174,24 +177,27 @@ impl<'a> One<'a> {
         let mut other_by_name: HashMap<String, usize> = HashMap::new();
         let mut indirect: Option<Use> = None;
         let mut mismatches = Vec::new();
+        let mut ways = Shared::default();
         for (statement, motion) in &self.motions {
             for (goal, path) in &motion.goals {
-                let mut one = Use {
-                    file: self.file,
-                    span: statement.span,
-                    motion: motion.word.clone(),
-                    path: *path,
-                    tool: Reference::Unnamed,
-                    frame: Reference::Unnamed,
-                    grip_load: Reference::Unnamed,
-                    computed: motion.computed.clone(),
-                };
+                let mut one = Use::new(
+                    self.file,
+                    statement.span,
+                    Way {
+                        motion: motion.word.clone(),
+                        path: *path,
+                        tool: Reference::Unnamed,
+                        frame: Reference::Unnamed,
+                        grip_load: Reference::Unnamed,
+                        computed: motion.computed.clone(),
+                    },
+                );
                 let (name, span, reason) = match goal {
                     Goal::Point(number, span) => match self.by_number.get(number) {
                         Some(&index) => {
                             mismatches.extend(self.mismatch(&self.points[index], statement));
                             self.resolve(&self.points[index], &mut one);
-                            uses[index].push(one);
+                            uses[index].push(one.sharing(&mut ways));
                             continue;
                         }
                         None => (format!("P[{number}]"), *span, "the program holds no such point".to_owned()),
@@ -230,7 +236,7 @@ impl<'a> One<'a> {
                 span: point.span,
                 value: point.value,
                 computed: point.computed.or(assigned).or_else(|| all_assigned.clone()),
-                configuration: point.configuration,
+                configuration: point.configuration.into_shared(),
                 external_axes: point.external_axes,
                 rides_along: false,
                 uses,
@@ -316,7 +322,7 @@ fn unwritten(file: usize, name: String, span: Span, reason: String) -> Target {
         span,
         value: TargetValue::Unwritten,
         computed: Some(reason),
-        configuration: Default::default(),
+        configuration: Configuration::unsaid(),
         external_axes: Vec::new(),
         rides_along: false,
         uses: Vec::new(),

@@ -65,7 +65,7 @@ fn numbers_keep_their_columns() {
     let TargetValue::Cartesian(numbers) = &named(&program, "P[1]").value else { panic!("a pose") };
     let mut edits = EditSet::default();
     let mut put = |field: &crate::program::number::NumberField, value: f64, decimals: usize| {
-        let (span, text) = written(field, source.slice(field.span), &Decimal::nearest(value, decimals));
+        let (span, text) = written(field, source.slice(field.span()), &Decimal::nearest(value, decimals));
         edits.push(span, text);
     };
     put(&numbers.position[0], -100.0012, 3);

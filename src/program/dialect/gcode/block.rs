@@ -106,8 +106,8 @@ fn word(bytes: &[u8], cursor: &mut Cursor<'_>) -> Option<Word> {
     let written = number_at(&bytes[..ahead.offset() + ahead.rest().len()], ahead.offset());
     let value = match written {
         // No exponents in this language: `X10E5` is an X and an E.
-        Some(field) if !bytes[field.span.start..field.span.end].iter().any(|byte| matches!(byte, b'e' | b'E')) => {
-            ahead.seek(field.span.end);
+        Some(field) if !bytes[field.span().start..field.span().end].iter().any(|byte| matches!(byte, b'e' | b'E')) => {
+            ahead.seek(field.span().end);
             Some(field)
         }
         _ => {

@@ -2,8 +2,6 @@
 
 use std::collections::HashMap;
 
-use crate::base::text::Span;
-
 use crate::geometry::orientation::OrientationConvention;
 use crate::program::number::{Insertion, NumberField};
 use crate::program::target::{CartesianNumbers, LengthUnit, Units};
@@ -24,7 +22,7 @@ impl Reader<'_> {
                 Some((Some(field), _)) => {
                     self.modal.axes.insert(address.into(), field.clone());
                     self.without_point +=
-                        usize::from(!self.source.slice(field.span).contains(&b'.') && field.value != 0.0);
+                        usize::from(!self.source.slice(field.span()).contains(&b'.') && field.value != 0.0);
                     written.insert(address, field.clone());
                 }
                 Some((None, span)) => {
@@ -47,7 +45,7 @@ impl Reader<'_> {
                 (Some(field), _) => field,
                 (None, Some(_)) if zero => self.left_out(address, 0.0, 6, place, false),
                 (None, None) if zero => self.left_out(address, 0.0, 6, place, false),
-                (None, Some(before)) => self.left_out(address, before.value, before.decimals, place, true),
+                (None, Some(before)) => self.left_out(address, before.value, before.decimals(), place, true),
                 (None, None) => return Err(format!("{address} is left out, and no block before says where it stands")),
             };
             if zero {
@@ -60,7 +58,7 @@ impl Reader<'_> {
         let inches = self.modal.inches.unwrap_or(self.stated.length == Some(LengthUnit::Inch));
         let length = if inches { LengthUnit::Inch } else { self.stated.length.unwrap_or(LengthUnit::Millimetre) };
         let units = Units { length, radians: self.stated.radians.unwrap_or(false) };
-        Ok(CartesianNumbers { position, orientation, convention, units })
+        Ok(CartesianNumbers { position, orientation: orientation.into_iter().collect(), convention, units })
     }
 
     /// Behind the last axis word of the block, and whether words are set apart.
@@ -84,6 +82,6 @@ impl Reader<'_> {
         let insertion = Insertion { before: format!("{blank}{address}{equals}"), after: String::new(), repeats };
         // Never without a point: some controls read `Z5` as five increments.
         let decimals = decimals.max(1);
-        NumberField { span: Span::new(at, at), value, decimals, insertion: Some(Box::new(insertion)), column: None }
+        NumberField::left_out(at, value, decimals, insertion)
     }
 }

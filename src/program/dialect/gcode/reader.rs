@@ -6,7 +6,8 @@ use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
 use crate::program::dialect::stated::Stated;
 use crate::program::selection::{InForce, Selections};
-use crate::program::target::{Configuration, Definition, PathKind, Program, Reference, Target, TargetValue, Use};
+use crate::program::shared::Shared;
+use crate::program::target::{Configuration, Definition, PathKind, Program, Reference, Target, TargetValue, Use, Way};
 
 use super::block::{Block, block};
 use super::modal::{Modal, Motion};
@@ -50,6 +51,7 @@ pub(super) struct Reader<'a> {
     /// Blocks can be jumped to.
     jumps: bool,
     arcs: Vec<Span>,
+    ways: Shared<Way>,
     /// Coordinates without a decimal point.
     pub without_point: usize,
 }
@@ -79,6 +81,7 @@ impl<'a> Reader<'a> {
             changes_by_m6,
             jumps,
             arcs: Vec::new(),
+            ways: Shared::default(),
             without_point: 0,
         }
     }
@@ -258,9 +261,7 @@ impl<'a> Reader<'a> {
             (Ok(numbers), None) => (TargetValue::Cartesian(Box::new(numbers)), None),
             (_, Some(reason)) | (Err(reason), None) => (TargetValue::Unwritten, Some(reason)),
         };
-        let one = Use {
-            file: self.file,
-            span: block.span,
+        let way = Way {
             motion: Arc::from(match motion {
                 Motion::Rapid => "G0",
                 Motion::Line => "G1",
@@ -273,13 +274,14 @@ impl<'a> Reader<'a> {
             grip_load: Reference::Unnamed,
             computed: None,
         };
+        let one = Use::new(self.file, block.span, self.ways.share(way));
         program.targets.push(Target {
             file: self.file,
             name: None,
             span: block.span,
             value,
             computed,
-            configuration: Configuration::default(),
+            configuration: Configuration::unsaid(),
             external_axes: Vec::new(),
             rides_along: false,
             uses: vec![one],

@@ -36,7 +36,7 @@ fn words_that_are_left_out_are_those_of_the_block_before() {
     assert_eq!(values(&read, 3), [5.5, 7.0, 3.0, 10.0, 0.0, 170.0]);
     let z = &numbers(&read, 1).position[2];
     let insertion = z.insertion.as_ref().expect("an insertion");
-    assert_eq!((insertion.before.as_str(), insertion.repeats, z.decimals), (" Z", true, 1));
+    assert_eq!((insertion.before.as_str(), insertion.repeats, z.decimals()), (" Z", true, 1));
     assert_eq!(numbers(&read, 3).position[0].insertion.as_ref().map(|one| one.before.as_str()), Some("X"));
     let one = &read.targets[1].uses[0];
     assert_eq!((&one.tool, &one.frame), (&Reference::Named("T3".into()), &Reference::Named("G54".into())));

@@ -192,7 +192,7 @@ fn constant(bytes: &[u8], value: Span) -> Option<f64> {
     let text = Cursor::new(bytes, value).rest();
     let blanks = text.len() - text.trim_ascii_start().len();
     let number = number_at(&bytes[..value.end], value.start + blanks)?;
-    bytes[number.span.end..value.end].trim_ascii().is_empty().then_some(number.value)
+    bytes[number.span().end..value.end].trim_ascii().is_empty().then_some(number.value)
 }
 
 /// The frame that one pose is, or that three points span: origin, on the x axis, in the xy plane.

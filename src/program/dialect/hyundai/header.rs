@@ -133,7 +133,7 @@ fn count_after(text: &[u8], word: &[u8]) -> Option<usize> {
     let mut cursor = Cursor::new(text, Span::new(at, text.len()));
     cursor.skip_while(|byte| is_blank(byte) || byte == b':');
     let number = number_at(text, cursor.offset())?;
-    (number.decimals == 0 && (1.0..=32.0).contains(&number.value) || number.value == 0.0)
+    (number.decimals() == 0 && (1.0..=32.0).contains(&number.value) || number.value == 0.0)
         .then_some(number.value as usize)
 }
 

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
-use crate::program::target::{Mention, Program, Reference, Target, TargetValue, Use};
+use crate::program::shared::Shared;
+use crate::program::target::{Configuration, Mention, Program, Reference, Target, TargetValue, Use, Way};
 
 use super::checks;
 use super::expression::{Goal, Name};
@@ -20,6 +21,7 @@ use super::written_pose::{Coordinates, PoseFault, WrittenPose};
 pub(super) struct Resolver<'a> {
     variables: &'a Variables,
     targets: Vec<Target>,
+    ways: Shared<Way>,
     diagnostics: Vec<Diagnostic>,
     /// Index of the target of a name: scope and name.
     named: HashMap<(Option<usize>, String), usize>,
@@ -39,7 +41,14 @@ struct Step<'a> {
 impl<'a> Resolver<'a> {
     /// Starts with no targets.
     pub fn new(variables: &'a Variables) -> Self {
-        Self { variables, targets: Vec::new(), diagnostics: Vec::new(), named: HashMap::new(), mentions: Vec::new() }
+        Self {
+            variables,
+            targets: Vec::new(),
+            ways: Shared::default(),
+            diagnostics: Vec::new(),
+            named: HashMap::new(),
+            mentions: Vec::new(),
+        }
     }
 
     /// Adds the targets of all motions of a file.
@@ -78,7 +87,8 @@ impl<'a> Resolver<'a> {
     }
 
     fn push(&mut self, step: &Step<'_>, target: Target, frame: Reference) {
-        self.targets.push(Target { uses: vec![step.usage(frame)], ..target });
+        let one = step.usage(frame).sharing(&mut self.ways);
+        self.targets.push(Target { uses: vec![one], ..target });
     }
 
     fn add_named(&mut self, step: &Step<'_>, name: &Name) {
@@ -90,7 +100,7 @@ impl<'a> Resolver<'a> {
         }
         let key = (self.variables.scope(step.index, &name.key), name.key.clone());
         if let Some(&at) = self.named.get(&key) {
-            self.targets[at].add_use(step.usage(frame));
+            self.targets[at].add_use(step.usage(frame).sharing(&mut self.ways));
             return;
         }
         let spelled = step.source.text(name.span).into_owned();
@@ -156,7 +166,7 @@ impl Step<'_> {
             span,
             value: TargetValue::Unwritten,
             computed: Some(reason),
-            configuration: Default::default(),
+            configuration: Configuration::unsaid(),
             external_axes: Vec::new(),
             rides_along: false,
             uses: Vec::new(),
@@ -165,16 +175,18 @@ impl Step<'_> {
 
     fn usage(&self, frame: Reference) -> Use {
         let selected = || in_force(&self.file.tools, self.statement.span.start, &self.file.joins);
-        Use {
-            file: self.index,
-            span: self.statement.span,
-            motion: self.motion.word.clone(),
-            path: self.motion.path,
-            tool: self.motion.tool.clone().or_else(selected).unwrap_or_default(),
-            frame,
-            grip_load: Reference::Unnamed,
-            computed: self.motion.computed.clone(),
-        }
+        Use::new(
+            self.index,
+            self.statement.span,
+            Way {
+                motion: self.motion.word.clone(),
+                path: self.motion.path,
+                tool: self.motion.tool.clone().or_else(selected).unwrap_or_default(),
+                frame,
+                grip_load: Reference::Unnamed,
+                computed: self.motion.computed.clone(),
+            },
+        )
     }
 
     /// Base and robot coordinates are the robot's own frame; a user frame without a number is the selected one.

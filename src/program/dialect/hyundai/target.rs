@@ -38,7 +38,7 @@ pub(super) fn target(file: usize, name: Option<String>, pose: &WrittenPose) -> T
         span: pose.span,
         value,
         computed,
-        configuration: pose.configuration.clone().unwrap_or_default(),
+        configuration: pose.configuration.clone().unwrap_or_default().into_shared(),
         external_axes: additional
             .map(|(index, axis)| ExternalAxis { name: format!("J{}", index + 1), value: axis.value })
             .collect(),
@@ -55,7 +55,7 @@ pub(super) fn pose_of(axes: &[NumberField]) -> Option<Pose> {
 fn cartesian([x, y, z, rx, ry, rz]: [NumberField; ROBOT_AXES]) -> CartesianNumbers {
     CartesianNumbers {
         position: [x, y, z],
-        orientation: vec![rx, ry, rz],
+        orientation: [rx, ry, rz].into(),
         convention: OrientationConvention::FixedXyz,
         units: Units::MM_DEG,
     }

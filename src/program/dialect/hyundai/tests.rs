@@ -380,7 +380,7 @@ proptest! {
             prop_assert!(target.span.end <= source.bytes().len() && !target.span.is_empty());
             prop_assert!(!target.uses.is_empty());
             if let TargetValue::Cartesian(numbers) = &target.value {
-                prop_assert!(numbers.position.iter().chain(&numbers.orientation).all(|field| target.span.contains(field.span)));
+                prop_assert!(numbers.position.iter().chain(&numbers.orientation).all(|field| target.span.contains(field.span())));
             }
         }
     }

@@ -83,7 +83,7 @@ pub(super) fn tuple(cursor: &mut Cursor<'_>, total_axes: Option<usize>) -> Resul
     if configuration.is_none()
         && coordinates != Coordinates::Joint
         && axes.len() == total_axes.unwrap_or(6) + 1
-        && let Some(number) = axes.pop_if(|last| last.decimals == 0 && (0.0..=65535.0).contains(&last.value))
+        && let Some(number) = axes.pop_if(|last| last.decimals() == 0 && (0.0..=65535.0).contains(&last.value))
     {
         configuration = Some(configuration::from_number(number.value as u64));
     }

@@ -95,7 +95,7 @@ impl PositionReader {
                 let read = numbers(&mut cursor);
                 let span = Span::new(
                     name.start,
-                    read.as_ref().ok().and_then(|all| all.last()).map_or(line.end, |last| last.span.end),
+                    read.as_ref().ok().and_then(|all| all.last()).map_or(line.end, |last| last.span().end),
                 );
                 if read.is_err() {
                     let message = "a position that is no list of numbers";
@@ -164,7 +164,7 @@ impl PositionReader {
             (_, Ok([x, y, z, rx, ry, rz])) => {
                 let numbers = CartesianNumbers {
                     position: [x, y, z],
-                    orientation: vec![rx, ry, rz],
+                    orientation: [rx, ry, rz].into(),
                     convention: OrientationConvention::FixedXyz,
                     units: Units::MM_DEG,
                 };

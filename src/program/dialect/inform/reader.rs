@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
 use crate::program::number::starts_with_word;
-use crate::program::target::{Definition, Program, Reference, Target, TargetValue, Use};
+use crate::program::target::{Configuration, Definition, Program, Reference, Target, TargetValue, Use, Way};
 
 use super::assignment::{Effect, effect};
 use super::job::{Line, lines};
@@ -162,16 +162,18 @@ impl<'a> Targets<'a> {
     }
 
     fn add(&mut self, file: usize, span: Span, motion: &Motion) {
-        let mut one = Use {
+        let mut one = Use::new(
             file,
             span,
-            motion: motion.word.as_str().into(),
-            path: motion.path,
-            tool: Reference::Unnamed,
-            frame: Reference::Unnamed,
-            grip_load: Reference::Unnamed,
-            computed: motion.computed.clone(),
-        };
+            Way {
+                motion: motion.word.as_str().into(),
+                path: motion.path,
+                tool: Reference::Unnamed,
+                frame: Reference::Unnamed,
+                grip_load: Reference::Unnamed,
+                computed: motion.computed.clone(),
+            },
+        );
         let (name, place, reason) = match &motion.goal {
             Goal::OtherAxes => return,
             Goal::Runtime(text, place) => (text.clone(), *place, format!("{text} is known only at run time")),
@@ -195,7 +197,7 @@ impl<'a> Targets<'a> {
                 span: place,
                 value: TargetValue::Unwritten,
                 computed: Some(reason),
-                configuration: Default::default(),
+                configuration: Configuration::unsaid(),
                 external_axes: Vec::new(),
                 rides_along: false,
                 uses: Vec::new(),
@@ -221,7 +223,7 @@ impl<'a> Targets<'a> {
                     span: position.span,
                     value: position.value.clone(),
                     computed: position.computed.clone().or(changed),
-                    configuration: position.configuration.clone(),
+                    configuration: position.configuration.clone().into_shared(),
                     external_axes: position.external_axes.clone(),
                     rides_along: position.rides_along,
                     uses,

@@ -52,7 +52,7 @@ fn modal_lines_hold_until_they_are_given_again() {
     let first = named(&program, "C00001");
     let TargetValue::Cartesian(numbers) = &first.value else { panic!("a pose") };
     assert_eq!(numbers.position.each_ref().map(|field| field.value), [780.361, 197.265, 599.55]);
-    assert_eq!(numbers.orientation[0].decimals, 4);
+    assert_eq!(numbers.orientation[0].decimals(), 4);
     assert_eq!(first.configuration.wrist_negative, Some(true));
     assert_eq!((first.uses.len(), first.uses[0].path, first.uses[1].path), (2, PathKind::Linear, PathKind::ArcEnd));
     assert_eq!(

@@ -280,9 +280,7 @@ pub(super) fn number(cursor: &mut Cursor<'_>) -> Number {
         return Number::Absent;
     }
     match number_at(text, 0) {
-        Some(field) if field.span.len() == text.len() => {
-            Number::Written(NumberField { span: Span::new(start, start + text.len()), ..field })
-        }
+        Some(field) if field.span().len() == text.len() => Number::Written(field.at(start)),
         _ => Number::Computed,
     }
 }
@@ -324,7 +322,7 @@ pub(super) fn pose_numbers(fields: [NumberField; 6]) -> CartesianNumbers {
     let [x, y, z, o, a, t] = fields;
     CartesianNumbers {
         position: [x, y, z],
-        orientation: vec![o, a, t],
+        orientation: [o, a, t].into(),
         convention: OrientationConvention::EulerZyz,
         units: Units::MM_DEG,
     }
@@ -349,8 +347,7 @@ pub(super) fn trans(numbers: &[Number]) -> Option<Pose> {
     for (place, number) in six.iter_mut().zip(numbers) {
         *place = number.value()?;
     }
-    let fields =
-        six.map(|value| NumberField { span: Span::default(), value, decimals: 0, insertion: None, column: None });
+    let fields = six.map(NumberField::unplaced);
     debug_assert_eq!(values(&fields), six);
     pose_numbers(fields).pose()
 }

@@ -1,12 +1,13 @@
 //! All files of a job: locations become targets, motions their uses.
 
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
 use crate::geometry::pose::Pose;
 use crate::program::gather::Gathered;
-use crate::program::target::{DisplacementKind, PathKind, Program, Reference, TargetValue, Use};
+use crate::program::target::{DisplacementKind, PathKind, Program, Reference, TargetValue, Use, Way};
 
 use super::assignment::{Placed, apply};
 use super::expression::{Expression, Name, Term, trans};
@@ -236,28 +237,25 @@ impl Reader<'_> {
         // Only what is asked for at every use is asked for.
         let first = target.uses.len() == 1;
         if first || target.configuration.elbow_down != elbow {
-            target.configuration.elbow_down = elbow.filter(|_| first);
+            Arc::make_mut(&mut target.configuration).elbow_down = elbow.filter(|_| first);
         }
     }
 
     fn use_literal(&mut self, value: &Value, one: Use, elbow: Option<bool>) {
         let target = self.targets.inline(of_value(value, None, None));
-        target.configuration.elbow_down = elbow;
+        if elbow.is_some() {
+            Arc::make_mut(&mut target.configuration).elbow_down = elbow;
+        }
         target.uses.push(one);
     }
 }
 
 fn a_use(word: &str, path: PathKind, placed: &Placed, setting: Setting, computed: Option<String>) -> Use {
-    Use {
-        file: placed.scope.0,
-        span: placed.span,
-        motion: word.into(),
-        path,
-        tool: setting.tool,
-        frame: setting.base,
-        grip_load: setting.load,
-        computed,
-    }
+    Use::new(
+        placed.scope.0,
+        placed.span,
+        Way { motion: word.into(), path, tool: setting.tool, frame: setting.base, grip_load: setting.load, computed },
+    )
 }
 
 /// Where a term begins.

@@ -47,13 +47,7 @@ pub(super) struct Setting {
 
 /// Tool and base as a save's system data has them, and the tools of block steps.
 pub(super) fn define_system(file: usize, line: Span, word: &str, values: &[f64], program: &mut Program) {
-    let field = |at: usize| crate::program::number::NumberField {
-        span: Span::default(),
-        value: values[at],
-        decimals: 0,
-        insertion: None,
-        column: None,
-    };
+    let field = |at: usize| crate::program::number::NumberField::unplaced(values[at]);
     let Some(pose) = pose_numbers(std::array::from_fn(field)).pose() else { return };
     match word.strip_prefix("TOOL") {
         Some("") => tool(program, file, line, SYSTEM_TOOL, pose, None),

@@ -152,7 +152,7 @@ pub(super) fn system_data(bytes: &[u8], line: Span) -> Option<(String, Vec<f64>)
         cursor.skip_blanks();
         let Some(field) = number_at(cursor.rest(), 0) else { break };
         values.push(field.value);
-        cursor.seek(cursor.offset() + field.span.end);
+        cursor.seek(cursor.offset() + field.span().end);
     }
     (cursor.at_end() && values.len() >= 6).then_some((word, values))
 }

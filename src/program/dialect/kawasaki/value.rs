@@ -72,7 +72,7 @@ impl Values {
             let Some(field) = cursor.number() else { break };
             numbers.push(field);
         }
-        let span = Span::new(name.span.start, numbers.last().map_or(name.span.end, |last| last.span.end));
+        let span = Span::new(name.span.start, numbers.last().map_or(name.span.end, |last| last.span().end));
         let (value, external_axes) = written(numbers, name.base.starts_with('#'));
         let computed =
             matches!(value, TargetValue::Unwritten).then(|| "its line holds fewer than six numbers".to_owned());

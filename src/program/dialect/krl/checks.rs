@@ -71,7 +71,7 @@ pub(super) fn metres(targets: &[Target]) -> Option<Diagnostic> {
         first.get_or_insert(target);
         count += 1;
         small &= numbers.position.iter().all(|field| field.value.abs() < METRES_BELOW);
-        fractions |= numbers.position.iter().any(|field| field.decimals > 0 && field.value != 0.0);
+        fractions |= numbers.position.iter().any(|field| field.decimals() > 0 && field.value != 0.0);
     }
     let first = first.filter(|_| count >= MIN_TARGETS && small && fractions)?;
     let message = format!("all {count} positions lie within {METRES_BELOW} mm of their bases: are they in metres?");

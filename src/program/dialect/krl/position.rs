@@ -43,7 +43,7 @@ pub(super) fn position(bytes: &[u8], aggregate: &Aggregate) -> Option<WrittenPos
         Ok([x, y, z, a, b, c]) if names == CARTESIAN => {
             let numbers = CartesianNumbers {
                 position: [x, y, z],
-                orientation: vec![a, b, c],
+                orientation: [a, b, c].into(),
                 convention: OrientationConvention::EulerZyx,
                 units: Units::MM_DEG,
             };

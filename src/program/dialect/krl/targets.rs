@@ -127,7 +127,7 @@ impl<'j, 'a> Targets<'j, 'a> {
         for (target, configured) in self.targets.iter_mut().zip(&self.configured) {
             target.external_axes.retain(|axis| moving.contains(&axis.name));
             if !configured {
-                target.configuration = Configuration::default();
+                target.configuration = Configuration::unsaid();
             }
         }
         let place = |target: usize| (self.targets[target].file, self.targets[target].span);
@@ -217,7 +217,7 @@ impl<'j, 'a> Targets<'j, 'a> {
             span: written.span,
             value: written.value,
             computed: written.incomplete,
-            configuration: written.configuration,
+            configuration: written.configuration.into_shared(),
             external_axes: written.external_axes,
             rides_along: false,
             uses: Vec::new(),
@@ -233,7 +233,7 @@ impl<'j, 'a> Targets<'j, 'a> {
             span,
             value: TargetValue::Unwritten,
             computed: Some(why.0),
-            configuration: Configuration::default(),
+            configuration: Configuration::unsaid(),
             external_axes: Vec::new(),
             rides_along: false,
             uses: Vec::<Use>::new(),

@@ -6,7 +6,8 @@
 use std::collections::BTreeMap;
 
 use crate::geometry::pose::Pose;
-use crate::program::target::{Definition, FrameData, PathKind, Program, Reference, ToolData, Use};
+use crate::program::shared::Shared;
+use crate::program::target::{Definition, FrameData, PathKind, Program, Reference, ToolData, Use, Way};
 
 use super::frames::{Frames, NULL_FRAME, WORLD};
 use super::setting::{BASE, FOREIGN, LOAD, MODE, TOOL};
@@ -17,6 +18,7 @@ use super::targets::{Step, named};
 pub(super) struct Settings {
     tools: BTreeMap<String, Definition<ToolData>>,
     frames: BTreeMap<String, Definition<FrameData>>,
+    ways: Shared<Way>,
 }
 
 impl Settings {
@@ -50,16 +52,8 @@ pub(super) fn usage(step: &Step<'_>, path: PathKind, frames: &Frames<'_, '_>, se
         Reference::Named(mode) if &*mode == "tcp" => stationary(tool, base, frames, settings),
         _ => (held_tool(tool, frames, settings), standing_base(base, frames, settings)),
     };
-    Use {
-        file: step.statement.file,
-        span: step.statement.span,
-        motion: step.motion.word.clone(),
-        path,
-        tool,
-        frame,
-        grip_load: setting(LOAD),
-        computed: None,
-    }
+    let way = Way { motion: step.motion.word.clone(), path, tool, frame, grip_load: setting(LOAD), computed: None };
+    Use::new(step.statement.file, step.statement.span, settings.ways.share(way))
 }
 
 fn held_tool(tool: Reference, frames: &Frames<'_, '_>, settings: &mut Settings) -> Reference {

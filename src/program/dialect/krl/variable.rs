@@ -111,7 +111,7 @@ impl Variables {
         let expression = trimmed(bytes, expression);
         if let Some(field) = number_at(bytes, expression.start) {
             let whole = field.value.fract() == 0.0 && field.value.abs() < 1e6;
-            return (whole && field.span == expression).then_some(field.value as i64);
+            return (whole && field.span() == expression).then_some(field.value as i64);
         }
         let mut cursor = Cursor::new(bytes, expression);
         let found = reference(bytes, &mut cursor)?;
@@ -121,7 +121,7 @@ impl Variables {
         let element = (self.scope(job, routine, &found.base), found.element()?);
         let Known::Once(write) = self.get(&element, &found.base) else { return None };
         let field = number_at(job.bytes(write.file), write.value.start)?;
-        (field.value.fract() == 0.0 && field.value.abs() < 1e6 && field.span == write.value)
+        (field.value.fract() == 0.0 && field.value.abs() < 1e6 && field.span() == write.value)
             .then_some(field.value as i64)
     }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::base::text::Source;
 use crate::geometry::pose::Pose;
 use crate::program::dialect::script::{Kind, Position, Positions, Selected, Text, Tokens, under_condition};
-use crate::program::target::{Definition, FrameData, PathKind, Program, Reference, TargetValue, ToolData, Use};
+use crate::program::target::{Definition, FrameData, PathKind, Program, Reference, TargetValue, ToolData, Use, Way};
 
 use super::LEXIS;
 use super::statement::{assigned, body, paths, position};
@@ -195,16 +195,18 @@ impl Reader<'_> {
             });
         let centre = (word == "MVR3").then(|| "an arc about a centre".to_owned());
         for (operand, &path) in operands.iter().zip(paths) {
-            let one = Use {
-                file: self.file,
-                span: text.span(statement),
-                motion: Arc::from(word),
-                path,
-                tool: self.selected.tool(offset),
-                frame: self.selected.frame(offset),
-                grip_load: Reference::Unnamed,
-                computed: self.guided.clone().or_else(|| centre.clone()).or_else(|| approach.clone()),
-            };
+            let one = Use::new(
+                self.file,
+                text.span(statement),
+                Way {
+                    motion: Arc::from(word),
+                    path,
+                    tool: self.selected.tool(offset),
+                    frame: self.selected.frame(offset),
+                    grip_load: Reference::Unnamed,
+                    computed: self.guided.clone().or_else(|| centre.clone()).or_else(|| approach.clone()),
+                },
+            );
             self.go(operand, statement, one);
         }
     }

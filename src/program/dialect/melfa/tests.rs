@@ -29,7 +29,7 @@ fn positions_stand_in_the_program_or_behind_it() {
     let first = named(&read, "P1");
     let TargetValue::Cartesian(numbers) = &first.value else { panic!("a pose") };
     assert_eq!(numbers.orientation.iter().map(|field| field.value).collect::<Vec<_>>(), [180.0, 0.0, -90.5]);
-    assert!(numbers.orientation[1].insertion.is_some() && numbers.orientation[1].span.is_empty());
+    assert!(numbers.orientation[1].insertion.is_some() && numbers.orientation[1].span().is_empty());
     assert_eq!((first.uses[0].path, first.uses[0].computed.is_some()), (PathKind::Joint, false));
     assert!(first.uses[1].computed.as_deref().is_some_and(|reason| reason.contains("-50")));
     let asked = &first.configuration;

@@ -223,8 +223,8 @@ fn bracket(cursor: &mut Cursor<'_>) -> Option<Option<Vec<NumberField>>> {
     for part in cursor.slice(inside).split(|&byte| byte == b',') {
         let start = at + (part.len() - part.trim_ascii_start().len());
         let text = part.trim_ascii();
-        match number_at(text, 0).filter(|field| field.span.len() == text.len()) {
-            Some(field) => fields.push(NumberField { span: Span::new(start, start + text.len()), ..field }),
+        match number_at(text, 0).filter(|field| field.span().len() == text.len()) {
+            Some(field) => fields.push(field.at(start)),
             None => return Some(None),
         }
         at += part.len() + 1;

@@ -9,7 +9,7 @@ use crate::program::gather::{Gathered, plain};
 use crate::program::number::NumberField;
 use crate::program::selection::{InForce, Selections};
 use crate::program::target::{
-    CartesianNumbers, Definition, ExternalAxis, JointNumbers, Program, Reference, Target, TargetValue, Units, Use,
+    CartesianNumbers, Definition, ExternalAxis, JointNumbers, Program, Reference, Target, TargetValue, Units, Use, Way,
 };
 
 use super::line::{Goal, Line, Motion, is_numbered, jumps, read as read_line};
@@ -132,16 +132,18 @@ impl<'a> One<'a> {
                 InForce::Known(selected) => selected.clone(),
                 InForce::Open => Reference::Runtime("which coordinate system holds here depends on the way".into()),
             };
-            let one = Use {
-                file: self.file,
-                span: *span,
-                motion: "MOVEX".into(),
-                path: motion.path,
-                tool: motion.tool.map_or(Reference::Unnamed, |tool| Reference::Named(tool.to_string().into())),
-                frame: if motion.coordinates == "X" { frame } else { Reference::Unnamed },
-                grip_load: Reference::Unnamed,
-                computed: shift.clone(),
-            };
+            let one = Use::new(
+                self.file,
+                *span,
+                Way {
+                    motion: "MOVEX".into(),
+                    path: motion.path,
+                    tool: motion.tool.map_or(Reference::Unnamed, |tool| Reference::Named(tool.to_string().into())),
+                    frame: if motion.coordinates == "X" { frame } else { Reference::Unnamed },
+                    grip_load: Reference::Unnamed,
+                    computed: shift.clone(),
+                },
+            );
             self.goal(motion, one, targets);
         }
     }
@@ -195,7 +197,7 @@ fn value(numbers: Option<&[NumberField]>, coordinates: &str) -> Result<TargetVal
             let [x, y, z, rz, ry, rx] = fields;
             Ok(TargetValue::Cartesian(Box::new(CartesianNumbers {
                 position: [x, y, z],
-                orientation: vec![rz, ry, rx],
+                orientation: [rz, ry, rx].into(),
                 convention: OrientationConvention::EulerZyx,
                 units: Units::MM_DEG,
             })))

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::base::text::Source;
 use crate::geometry::pose::Pose;
 use crate::program::dialect::script::{Kind, Position, Positions, Text, Tokens};
-use crate::program::target::{PathKind, Program, Reference, TargetValue, Use};
+use crate::program::target::{PathKind, Program, Reference, TargetValue, Use, Way};
 
 use super::LEXIS;
 use super::clause::{Motion, motion};
@@ -152,15 +152,19 @@ impl Reader<'_> {
         }
         let (tool, frame) = self.frames.at(span.start, &own, self.file, program);
         let relative = || "relative to a position, or to the present one".to_owned();
-        let one = |path| Use {
-            file: self.file,
-            span,
-            motion: Arc::from(text.word(statement.start).as_str()),
-            path,
-            tool: tool.clone(),
-            frame: frame.clone(),
-            grip_load: Reference::Unnamed,
-            computed: motion.relative.then(relative),
+        let one = |path| {
+            Use::new(
+                self.file,
+                span,
+                Way {
+                    motion: Arc::from(text.word(statement.start).as_str()),
+                    path,
+                    tool: tool.clone(),
+                    frame: frame.clone(),
+                    grip_load: Reference::Unnamed,
+                    computed: motion.relative.then(relative),
+                },
+            )
         };
         if motion.goals.is_empty() {
             let nowhere = Position::plain(span, Err(relative()));

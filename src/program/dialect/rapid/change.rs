@@ -220,8 +220,11 @@ struct Call {
 fn moves_by_shape(text: &FileText, callee: usize, at: usize, end: usize) -> bool {
     let function = text.is_symbol(callee + 1, b'(');
     let positional = callee + 1 == at || text.is_symbol(at - 1, b',');
-    let commas = (at + 1..end.min(at + 64)).filter(|&next| text.is_symbol(next, b',')).count();
-    !function && positional && commas >= 2
+    let mut behind = at + 1..end.min(at + 64);
+    // A position is three commas at least.
+    let commas = behind.clone().filter(|&next| text.is_symbol(next, b',')).count();
+    let enough = commas >= 2 || behind.any(|next| text.kind(next) == Some(TokenKind::Position));
+    !function && positional && enough
 }
 
 /// True when a routine of the job takes values of this type by reference. Optional arguments make places ambiguous,

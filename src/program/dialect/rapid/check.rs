@@ -25,7 +25,7 @@ pub fn check_numbers(targets: &[Target]) -> Vec<Diagnostic> {
         count += 1;
         from_base &= target.uses.iter().all(|used| is_base(&used.frame));
         small &= numbers.position.iter().all(|field| field.value.abs() < METRES_BELOW);
-        fractions |= numbers.position.iter().any(|field| field.decimals > 0 && field.value != 0.0);
+        fractions |= numbers.position.iter().any(|field| field.decimals() > 0 && field.value != 0.0);
     }
     // No arm reaches into its own base, so that there one target is enough.
     let telling = count >= MIN_TARGETS || count > 0 && from_base;

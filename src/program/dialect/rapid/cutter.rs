@@ -153,7 +153,7 @@ impl Cutter<'_, '_> {
     fn is_operand_end(&self, at: usize) -> bool {
         match self.text.kind(at) {
             Some(TokenKind::Name) => !self.text.is_word(at, OPERATOR_WORDS),
-            Some(TokenKind::Number | TokenKind::Text) => true,
+            Some(TokenKind::Number | TokenKind::Text | TokenKind::Position) => true,
             Some(TokenKind::Symbol(byte)) => matches!(byte, b')' | b']' | b'}' | b'#'),
             _ => false,
         }

@@ -60,7 +60,7 @@ impl<'a> Positions<'_, 'a> {
             DisplacementKind::Frame => Matrix3::identity(),
             DisplacementKind::Tool => self.turn(text, &all, scope)?,
         };
-        let simple = text.is_symbol(base.start, b'[')
+        let simple = matches!(text.kind(base.start), Some(TokenKind::Position | TokenKind::Symbol(b'[')))
             || (text.kind(base.start) == Some(TokenKind::Name) && !text.is_symbol(base.start + 1, b'('));
         if !simple {
             return Err(format!("`{function}` displaces what another function gives"));

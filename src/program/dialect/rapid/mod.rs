@@ -30,6 +30,7 @@ mod tests;
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Source;
+use crate::program::gather::in_order;
 use crate::program::number::NumberRules;
 use crate::program::target::{Program, Target, TargetValue};
 use crate::program::ties::Ties;
@@ -107,25 +108,23 @@ fn saved_back(job: &Job, positions: &Positions) -> Option<Diagnostic> {
 }
 
 /// The targets that moves reach, sorted by their place; displacements keep pointing at their base.
-fn in_file_order(targets: Vec<Target>) -> Vec<Target> {
+fn in_file_order(mut targets: Vec<Target>) -> Vec<Target> {
     let mut wanted: Vec<bool> = targets.iter().map(|target| !target.uses.is_empty()).collect();
     for target in &targets {
         if let TargetValue::Displaced(displacement) = &target.value {
             wanted[displacement.base] = true;
         }
     }
-    let mut placed: Vec<(usize, Target)> =
-        targets.into_iter().enumerate().filter(|(index, _)| wanted[*index]).collect();
-    placed.sort_by_key(|(_, target)| (target.file, target.span));
+    let mut order: Vec<usize> = (0..targets.len()).filter(|&index| wanted[index]).collect();
+    order.sort_by_key(|&index| (targets[index].file, targets[index].span));
     let mut new_place = vec![0; wanted.len()];
-    for (place, (index, _)) in placed.iter().enumerate() {
-        new_place[*index] = place;
+    for (place, &index) in order.iter().enumerate() {
+        new_place[index] = place;
     }
-    let mut sorted: Vec<Target> = placed.into_iter().map(|(_, target)| target).collect();
-    for target in &mut sorted {
+    for target in &mut targets {
         if let TargetValue::Displaced(displacement) = &mut target.value {
             displacement.base = new_place[displacement.base];
         }
     }
-    sorted
+    in_order(targets, &order)
 }

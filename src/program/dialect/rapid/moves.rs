@@ -3,7 +3,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::program::target::{Configuration, PathKind, Reference, Target, TargetValue, Use};
+use crate::program::shared::Shared;
+use crate::program::target::{Configuration, PathKind, Reference, Target, TargetValue, Use, Way};
 
 use super::argument::{Argument, arguments, named, positional};
 use super::definition::DefinitionKeys;
@@ -16,7 +17,8 @@ use super::token::TokenKind;
 
 /// Reads all moves of a job into `positions`.
 pub fn read_moves<'a>(job: &Job<'a>, keys: &DefinitionKeys, flow: &Flow, positions: &mut Positions<'_, 'a>) {
-    let mut reader = Reader { job, keys, flow, positions, supervised: Vec::new(), passed: Vec::new() };
+    let mut reader =
+        Reader { job, keys, flow, positions, supervised: Vec::new(), passed: Vec::new(), ways: Shared::default() };
     for (file, text) in job.files.iter().enumerate() {
         for (index, statement) in text.statements.iter().enumerate() {
             if statement.kind == StatementKind::Call {
@@ -37,6 +39,7 @@ struct Reader<'r, 'j, 'a> {
     supervised: Vec<bool>,
     /// Positions that calls hand to procedures of the job.
     passed: Vec<Passed>,
+    ways: Shared<Way>,
 }
 
 /// A position that a call hands to a parameter.
@@ -80,9 +83,8 @@ impl<'a> Reader<'_, '_, 'a> {
         } else {
             state.get(Setting::Grip)
         };
-        let template = Use {
-            file: scope.file,
-            span: text.span(&statement.tokens),
+        let span = text.span(&statement.tokens);
+        let template = Way {
             motion: Arc::from(text.display(start).as_ref()),
             path: PathKind::Other,
             tool: self.tool(text, found.tool.as_ref(), scope, start),
@@ -98,7 +100,8 @@ impl<'a> Reader<'_, '_, 'a> {
             for target in self.positions.targets_of(text, range, scope) {
                 self.supervised.resize(self.positions.targets.len(), false);
                 self.supervised[target] |= supervised;
-                self.positions.targets[target].add_use(Use { path: *path, ..template.clone() });
+                let way = self.ways.share(Way { path: *path, ..template.clone() });
+                self.positions.targets[target].add_use(Use::new(scope.file, span, way));
             }
         }
     }
@@ -216,7 +219,7 @@ impl<'a> Reader<'_, '_, 'a> {
             let tokens = &text.statements[passed.statement].tokens;
             let (callee, line) = (text.display(tokens.start), self.job.files[inner.file].source.line(inner.span.start));
             let reason = format!("passed to `{callee}`, which moves there as its parameter in line {line}");
-            let outer = Use { file: passed.file, span: text.span(tokens), computed: Some(reason), ..inner };
+            let outer = Use::new(passed.file, text.span(tokens), inner.way).computed_by(reason);
             for target in self.positions.targets_of(text, &passed.value, passed.scope) {
                 self.supervised.resize(self.positions.targets.len(), false);
                 self.supervised[target] = true;
@@ -231,7 +234,7 @@ impl<'a> Reader<'_, '_, 'a> {
         let used = |target: &Target| !target.uses.is_empty();
         for (target, supervised) in self.positions.targets.iter_mut().zip(&self.supervised) {
             if used(target) && !supervised && !matches!(target.value, TargetValue::Unwritten) {
-                target.configuration = Configuration::default();
+                target.configuration = Configuration::unsaid();
             }
         }
     }

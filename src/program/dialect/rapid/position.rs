@@ -3,10 +3,12 @@
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use crate::base::text::Span;
 use crate::geometry::orientation::OrientationConvention;
 use crate::program::number::NumberField;
+use crate::program::shared::Shared;
 use crate::program::target::{
     CartesianNumbers, Configuration, Declaration, DisplacementKind, ExternalAxis, JointNumbers, Mention, Target,
     TargetValue, Units,
@@ -40,6 +42,7 @@ pub struct Positions<'j, 'a> {
     budget: usize,
     /// First targets of the arrays for which the budget was too small.
     overrun: HashSet<usize>,
+    configurations: Shared<Configuration>,
 }
 
 /// A million uses by variable index are more than any program has.
@@ -66,6 +69,7 @@ impl<'j, 'a> Positions<'j, 'a> {
             by_name: HashMap::new(),
             budget: MAX_INDEXED_USES,
             overrun: HashSet::new(),
+            configurations: Shared::default(),
         }
     }
 
@@ -105,6 +109,9 @@ impl<'j, 'a> Positions<'j, 'a> {
 
     /// True for an argument that can only be a position.
     pub fn is_position(&self, text: &FileText, range: &Range<usize>, scope: Scope) -> bool {
+        if text.kind(range.start) == Some(TokenKind::Position) {
+            return range.len() == 1;
+        }
         if text.is_symbol(range.start, b'[') {
             let parts = list(text, range).unwrap_or_default();
             let nested = parts.iter().all(|part| text.is_symbol(part.start, b'['));
@@ -129,7 +136,7 @@ impl<'j, 'a> Positions<'j, 'a> {
     pub fn targets_of(&mut self, text: &FileText<'a>, range: &Range<usize>, scope: Scope) -> Vec<usize> {
         let key = text.key(range.start);
         match text.kind(range.start) {
-            Some(TokenKind::Symbol(b'[')) => {
+            Some(TokenKind::Position | TokenKind::Symbol(b'[')) => {
                 let (value, read) = self.literal(text, range);
                 vec![self.push(text, range, scope, value, read)]
             }
@@ -273,7 +280,7 @@ impl<'j, 'a> Positions<'j, 'a> {
     ) -> usize {
         let (extras, computed) = match read {
             Ok(extras) => (extras, None),
-            Err(reason) => (Extras::default(), Some(reason)),
+            Err(reason) => (Extras::none(), Some(reason)),
         };
         self.targets.push(Target {
             file: scope.file,
@@ -290,7 +297,10 @@ impl<'j, 'a> Positions<'j, 'a> {
     }
 
     /// A `robtarget` or `jointtarget` written in numbers.
-    fn literal(&self, text: &FileText<'a>, range: &Range<usize>) -> (TargetValue, Result<Extras, String>) {
+    fn literal(&mut self, text: &FileText<'a>, range: &Range<usize>) -> (TargetValue, Result<Extras, String>) {
+        if let Some(inside) = text.position(range.start).filter(|_| range.len() == 1) {
+            return self.literal(&inside, &(0..inside.tokens.len()));
+        }
         let parts = list(text, range).unwrap_or_default();
         let value = match parts.as_slice() {
             [place, turn, ..] if parts.len() == 4 => cartesian(text, place, turn),
@@ -305,8 +315,10 @@ impl<'j, 'a> Positions<'j, 'a> {
         };
         let extras = Extras {
             configuration: match parts.as_slice() {
-                [_, _, data, _] => values::<4>(text, data).map(configuration).unwrap_or_default(),
-                _ => Configuration::default(),
+                [_, _, data, _] => {
+                    self.configurations.share(values::<4>(text, data).map(configuration).unwrap_or_default())
+                }
+                _ => Configuration::unsaid(),
             },
             external_axes: parts
                 .get(1..)
@@ -320,12 +332,17 @@ impl<'j, 'a> Positions<'j, 'a> {
 }
 
 /// What a target says besides its place.
-#[derive(Default)]
 pub struct Extras {
     /// Configuration data.
-    pub configuration: Configuration,
+    pub configuration: Arc<Configuration>,
     /// Additional axes.
     pub external_axes: Vec<ExternalAxis>,
+}
+
+impl Extras {
+    fn none() -> Self {
+        Self { configuration: Configuration::unsaid(), external_axes: Vec::new() }
+    }
 }
 
 fn is_parameter(symbol: &Symbol) -> bool {

@@ -110,7 +110,8 @@ impl Text<'_> {
         if !self.is(at, &["movel", "movej", "movec", "moveabsj"]) {
             return false;
         }
-        let opens = matches!(self.kind(at + 1), Some(TokenKind::Name | TokenKind::Symbol(b'[' | b'\\')));
+        let opens =
+            matches!(self.kind(at + 1), Some(TokenKind::Name | TokenKind::Position | TokenKind::Symbol(b'[' | b'\\')));
         let (mut depth, mut commas) = (0usize, 0);
         for token in self.tokens[at + 1..].iter().take(400) {
             match token.kind {

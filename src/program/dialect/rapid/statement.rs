@@ -8,7 +8,7 @@ use crate::base::text::{Source, Span};
 use crate::program::target::Program;
 
 use super::cutter::cut;
-use super::token::{Token, TokenKind, tokens};
+use super::token::{Token, TokenKind, tokens, tokens_in};
 
 /// What a statement does to the order of execution, or that it is a declaration, an assignment, a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +91,13 @@ impl<'a> FileText<'a> {
         text.check_ends(file, &mut said);
         findings.append(&mut said);
         text
+    }
+
+    /// The tokens in a [`TokenKind::Position`], for those who want its numbers.
+    pub fn position(&self, index: usize) -> Option<Self> {
+        let position = self.tokens.get(index).filter(|token| token.kind == TokenKind::Position)?;
+        let tokens = tokens_in(self.source, position.span());
+        Some(Self { source: self.source, tokens, statements: Vec::new() })
     }
 
     /// The kind of a token, or of nothing.

@@ -14,6 +14,9 @@ pub enum TokenKind {
     Text,
     /// `:=`
     Assign,
+    /// A `robtarget` or `jointtarget` that holds nothing but numbers, from bracket to bracket: most of a long program. What
+    /// stands in it is looked at when it is asked for, with [`tokens_in`].
+    Position,
     /// Any other byte; `#` stands for a number that is not decimal (`0x1F`) or not finite.
     Symbol(u8),
 }
@@ -50,11 +53,64 @@ pub fn tokens(source: &Source, limit: usize) -> Vec<Token> {
             at = line_end(bytes, at);
             continue;
         }
+        let (kind, end) = match position_end(bytes, at) {
+            Some(end) => (TokenKind::Position, end),
+            None => token_at(bytes, at),
+        };
+        found.push(Token { kind, start: at as u32, end: end as u32 });
+        at = end;
+    }
+    found
+}
+
+/// The tokens in a [`TokenKind::Position`].
+pub fn tokens_in(source: &Source, position: Span) -> Vec<Token> {
+    let bytes = source.slice(Span::new(0, position.end));
+    let mut found = Vec::with_capacity(position.len());
+    let mut at = position.start;
+    while at < bytes.len() {
+        if bytes[at].is_ascii_whitespace() {
+            at += 1;
+            continue;
+        }
         let (kind, end) = token_at(bytes, at);
         found.push(Token { kind, start: at as u32, end: end as u32 });
         at = end;
     }
     found
+}
+
+/// Numbers in the lists of a position: place, turn, configuration and additional axes; joints and additional axes; joints.
+const POSITIONS: [&[usize]; 3] = [&[3, 4, 4, 6], &[6, 6], &[6]];
+
+/// The end of the [`TokenKind::Position`] that begins here, if one does.
+fn position_end(bytes: &[u8], open: usize) -> Option<usize> {
+    if bytes.get(open) != Some(&b'[') {
+        return None;
+    }
+    let (mut counts, mut lists, mut is_open) = ([0; 4], 0, false);
+    for (at, &byte) in bytes.iter().enumerate().skip(open + 1) {
+        match byte {
+            b'[' if !is_open && lists < counts.len() => {
+                (is_open, counts[lists]) = (true, 1);
+                lists += 1;
+            }
+            b']' if is_open => is_open = false,
+            b']' => return POSITIONS.contains(&&counts[..lists]).then_some(at + 1),
+            b',' if is_open => counts[lists - 1] += 1,
+            b'0'..=b'9' | b'.' | b'-' | b'+' if is_open => {}
+            b'e' | b'E' if is_open && is_exponent(bytes, at) => {}
+            b',' | b' ' | b'\t' | b'\r' | b'\n' => {}
+            _ => return None,
+        }
+    }
+    None
+}
+
+/// True for a letter that has a digit before and behind it, or a sign behind it.
+fn is_exponent(bytes: &[u8], letter: usize) -> bool {
+    bytes[letter - 1].is_ascii_digit()
+        && bytes.get(letter + 1).is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'-' | b'+'))
 }
 
 fn token_at(bytes: &[u8], at: usize) -> (TokenKind, usize) {
@@ -88,7 +144,7 @@ fn number_end(bytes: &[u8], at: usize) -> Option<usize> {
     if points <= 1 && plain < SHORT && !has_exponent {
         return Some(at + plain);
     }
-    number_at(bytes, at).map(|field| field.span.end)
+    number_at(bytes, at).map(|field| field.span().end)
 }
 
 /// Bytes above 0x7f are letters: Latin-1 allows them in names of some controllers, and UTF-8 spells letters with them.
@@ -152,6 +208,20 @@ mod tests {
             ["TPWrite", "\"a!\"\"b\"", ";", "x", ":=", "-", ".5E-3", ";"]
         );
         assert_eq!(texts("0x1F 1e999 \"open\nz10"), ["0x1F", "1e999", "\"open", "z10"]);
+    }
+
+    #[test]
+    fn positions_of_numbers_alone_are_one_token() {
+        let kinds =
+            |text: &str| tokens(&Source::new("t", text), usize::MAX).iter().map(|token| token.kind).collect::<Vec<_>>();
+        let position = "[[1,-2.5,3e+1],[1,0,0,0],\n [0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        assert_eq!(kinds(&format!("{position},")), [TokenKind::Position, TokenKind::Symbol(b',')]);
+        assert_eq!(kinds("[[1,2,3,4,5,6]]"), [TokenKind::Position]);
+        let source = Source::new("t", position);
+        assert_eq!(tokens_in(&source, Span::new(0, position.len())).len(), 17 + 1 + 13 + 3 + 10);
+        for other in ["[[1,2,3],[1,0,0,0]]", "[[1,2,3,4,5,x]]", "[[1,2,3,4,5,6]", "[1,2]", "[[1,2,3,4,5,1E]]"] {
+            assert!(!kinds(other).contains(&TokenKind::Position), "{other}");
+        }
     }
 
     #[test]

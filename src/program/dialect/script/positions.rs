@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use crate::base::text::Span;
-use crate::program::target::{Configuration, ExternalAxis, Program, Target, TargetValue, Use};
+use crate::program::shared::Shared;
+use crate::program::target::{Configuration, ExternalAxis, Program, Target, TargetValue, Use, Way};
 
 /// A position as the text has it.
 #[derive(Clone, Debug)]
@@ -44,12 +45,13 @@ pub(in super::super) struct Positions {
     names: Vec<Named>,
     by_key: HashMap<String, usize>,
     inline: Vec<Target>,
+    ways: Shared<Way>,
 }
 
 impl Positions {
     /// For a file of the job.
     pub fn new(file: usize) -> Self {
-        Self { file, names: Vec::new(), by_key: HashMap::new(), inline: Vec::new() }
+        Self { file, names: Vec::new(), by_key: HashMap::new(), inline: Vec::new(), ways: Shared::default() }
     }
 
     fn named(&mut self, key: &str, shown: &str) -> &mut Named {
@@ -99,6 +101,7 @@ impl Positions {
 
     /// A move to a name.
     pub fn go(&mut self, key: &str, shown: &str, mention: Span, one: Use) {
+        let one = one.sharing(&mut self.ways);
         let named = self.named(key, shown);
         named.mention.get_or_insert(mention);
         named.uses.push(one);
@@ -116,6 +119,7 @@ impl Positions {
 
     /// A move to a position that is written in it, or to nothing that is known.
     pub fn go_inline(&mut self, position: Position, one: Use) {
+        let one = one.sharing(&mut self.ways);
         let target = self.target(None, position, None, vec![one]);
         self.inline.push(target);
     }
@@ -131,7 +135,7 @@ impl Positions {
             span: position.span,
             value,
             computed: changed.or(reason),
-            configuration: position.configuration,
+            configuration: position.configuration.into_shared(),
             external_axes: position.external_axes,
             rides_along: false,
             uses,

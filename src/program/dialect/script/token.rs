@@ -139,7 +139,7 @@ fn cut_line(bytes: &[u8], line: Span, lexis: &Lexis, begins: bool, found: &mut V
         } else if byte.is_ascii_digit() || (byte == b'.' && cursor.rest().get(1).is_some_and(u8::is_ascii_digit)) {
             match number_at(&bytes[..line.end], start) {
                 Some(number) => {
-                    cursor.seek(number.span.end);
+                    cursor.seek(number.span().end);
                     Kind::Number
                 }
                 None => {
@@ -261,8 +261,7 @@ impl<'a> Text<'a> {
         let left_out = |part: &Range<usize>| {
             let at = self.tokens.get(part.start).map_or(0, |token| token.span.start);
             let insertion = Insertion { before: String::new(), after: String::new(), repeats: false };
-            let span = Span::new(at, at);
-            NumberField { span, value: 0.0, decimals: 2, insertion: Some(Box::new(insertion)), column: None }
+            NumberField::left_out(at, 0.0, 2, insertion)
         };
         let read = |part: &Range<usize>| match part.is_empty() {
             true => Ok(left_out(part)),
@@ -279,7 +278,7 @@ impl<'a> Text<'a> {
         }
         let last = self.tokens.get(range.end - 1).filter(|token| token.kind == Kind::Number)?;
         let field = number_at(self.source.bytes(), self.tokens[range.start].span.start)?;
-        (field.span.end == last.span.end).then_some(field)
+        (field.span().end == last.span.end).then_some(field)
     }
 
     /// The numbers of ranges; the first that is none otherwise.
@@ -299,7 +298,7 @@ pub(in super::super) fn pose_of(
     let [x, y, z, a, b, c] = numbers else { return None };
     Some(Box::new(CartesianNumbers {
         position: [x.clone(), y.clone(), z.clone()],
-        orientation: vec![a.clone(), b.clone(), c.clone()],
+        orientation: [a.clone(), b.clone(), c.clone()].into(),
         convention,
         units: Units::MM_DEG,
     }))

@@ -107,10 +107,10 @@ fn literal(source: &Source, file: usize, span: Option<Span>, cursor: &mut Cursor
     let mut at = open;
     for part in text[open..text.len() - 1].split(|&byte| byte == b',') {
         let blanks = part.len() - part.trim_ascii_start().len();
-        let number = number_at(part.trim_ascii(), 0).filter(|number| number.span.len() == part.trim_ascii().len());
+        let number = number_at(part.trim_ascii(), 0).filter(|number| number.span().len() == part.trim_ascii().len());
         let Some(number) = number else { return Goal::Runtime("its numbers are computed".into()) };
         let start = span.start + at + blanks;
-        fields.push(NumberField { span: Span::new(start, start + number.span.len()), ..number });
+        fields.push(number.at(start));
         at += part.len() + 1;
     }
     let Ok(six) = <[NumberField; 6]>::try_from(fields) else {

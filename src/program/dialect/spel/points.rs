@@ -133,7 +133,7 @@ fn add(source: &Source, file: usize, block: Block, points: &mut Points, program:
     let field = |key: &str| -> Option<NumberField> {
         let span = entry(key)?;
         let field = number_at(&bytes[span.start..span.end], 0)?;
-        (field.span.len() == span.len()).then_some(NumberField { span, ..field })
+        (field.span().len() == span.len()).then(|| field.at(span.start))
     };
     let integer = |key: &str| field(key).map(|field| field.value as i64);
     let Some(number) = integer("nNumber").and_then(|number| u32::try_from(number).ok()) else {
@@ -177,7 +177,7 @@ pub(super) fn pose(fields: [NumberField; 6]) -> CartesianNumbers {
     let [x, y, z, u, v, w] = fields;
     CartesianNumbers {
         position: [x, y, z],
-        orientation: vec![u, v, w],
+        orientation: [u, v, w].into(),
         convention: OrientationConvention::EulerZyx,
         units: Units::MM_DEG,
     }

@@ -7,7 +7,7 @@ use crate::base::text::{Source, Span};
 use crate::program::flow::{Step, follow, left_over};
 use crate::program::gather::{Gathered, plain};
 use crate::program::scan::Cursor;
-use crate::program::target::{Program, Reference, Target, Use};
+use crate::program::target::{Program, Reference, Target, Use, Way};
 
 use super::expression::{Goal, bracket, goal, point_number};
 use super::motion::{Motion, motion};
@@ -228,19 +228,21 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn motion(&mut self, source: &Source, placed: Placed, tool: &Reference, unknown: Option<&String>) {
         for (goal, span, path) in placed.motion.goals {
-            let mut one = Use {
-                file: placed.file,
-                span: placed.span,
-                motion: placed.motion.word.as_str().into(),
-                path,
-                tool: tool.clone(),
-                frame: Reference::Unnamed,
-                grip_load: Reference::Unnamed,
-                computed: placed.motion.computed.clone().or_else(|| unknown.cloned()),
-            };
+            let mut one = Use::new(
+                placed.file,
+                placed.span,
+                Way {
+                    motion: placed.motion.word.as_str().into(),
+                    path,
+                    tool: tool.clone(),
+                    frame: Reference::Unnamed,
+                    grip_load: Reference::Unnamed,
+                    computed: placed.motion.computed.clone().or_else(|| unknown.cloned()),
+                },
+            );
             match goal {
                 Goal::Point(number, changed) => {
-                    one.computed = one.computed.or(changed);
+                    one.computed = one.computed.take().or(changed);
                     self.use_point(number, source, span, one);
                 }
                 Goal::Literal(point) => {
@@ -288,7 +290,7 @@ impl Reader<'_> {
             open.sort_unstable();
             for number in open.into_iter().filter(|number| !self.targets.has(*number as usize)).collect::<Vec<_>>() {
                 let point = &self.points.all[&number];
-                let used = Use { frame: frame(point), ..one.clone() };
+                let used = one.clone().in_frame(frame(point));
                 let change = self.changes.set.get(&number).map(|change| change.reason.clone());
                 let kept =
                     change.or_else(|| self.changes.pinned.get(&number).cloned()).or(self.changes.any_set.clone());
@@ -307,7 +309,7 @@ fn of_point(point: &Point, kept: Option<String>, name: Option<String>) -> Target
     Target {
         name,
         computed: point.computed.clone().or(kept),
-        configuration: point.configuration.clone(),
+        configuration: point.configuration.clone().into_shared(),
         external_axes: point.external_axes.clone(),
         ..plain(point.file, point.span, point.value.clone())
     }

@@ -83,9 +83,9 @@ fn constant(cursor: &mut Cursor<'_>) -> Option<Pose> {
         return None;
     }
     for (place, part) in six.iter_mut().zip(parts) {
-        *place = number_at(part, 0).filter(|field| field.span.len() == part.len())?.value;
+        *place = number_at(part, 0).filter(|field| field.span().len() == part.len())?.value;
     }
-    let field = |value| NumberField { span: Span::default(), value, decimals: 0, insertion: None, column: None };
+    let field = NumberField::unplaced;
     pose(six.map(field)).pose()
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::{Source, Span};
-use crate::program::target::{Program, Reference, Use};
+use crate::program::target::{Program, Reference, Use, Way};
 
 use super::expression::File;
 use super::motion::motion;
@@ -70,16 +70,18 @@ impl File<'_> {
                 for (range, path) in motion.goals {
                     let (goal, near_joints_deg, own_tool) = self.goal(&range, index);
                     let tool = own_tool.unwrap_or_else(|| tool.clone());
-                    let one = Use {
-                        file: self.file,
-                        span: self.text.span(tokens),
-                        motion: Arc::from(String::from_utf8_lossy(word).as_ref()),
-                        path,
-                        tool,
-                        frame: Reference::Unnamed,
-                        grip_load: grip_load.clone(),
-                        computed: guided.clone(),
-                    };
+                    let one = Use::new(
+                        self.file,
+                        self.text.span(tokens),
+                        Way {
+                            motion: Arc::from(String::from_utf8_lossy(word).as_ref()),
+                            path,
+                            tool,
+                            frame: Reference::Unnamed,
+                            grip_load: grip_load.clone(),
+                            computed: guided.clone(),
+                        },
+                    );
                     found.push(Found { goal, near_joints_deg, place: self.text.span(&range), one });
                 }
             }

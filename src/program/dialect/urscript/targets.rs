@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::base::diagnostic::Diagnostic;
 use crate::base::text::Span;
@@ -82,7 +83,7 @@ impl Targets<'_> {
                 let index = self.listed(list, name.as_ref(), program);
                 let target = &mut program.targets[index];
                 if target.configuration.near_joints_deg.is_none() {
-                    target.configuration.near_joints_deg = found.near_joints_deg;
+                    Arc::make_mut(&mut target.configuration).near_joints_deg = found.near_joints_deg;
                 }
                 target.uses.push(found.one.clone());
             }
@@ -105,7 +106,7 @@ impl Targets<'_> {
             span,
             value,
             computed: None,
-            configuration: Configuration::default(),
+            configuration: Configuration::unsaid(),
             external_axes: Vec::new(),
             rides_along: false,
             uses: Vec::new(),
@@ -180,8 +181,8 @@ impl Targets<'_> {
         let definition = Definition { file, span: text.span(&composed.from), value: Ok(frame) };
         program.frames.insert(Program::key(&name), definition);
         let index = self.listed(&composed.to, composed.name.as_ref(), program);
-        let one = Use { frame: Reference::Named(name.into()), ..found.one.clone() };
-        let near = &mut program.targets[index].configuration.near_joints_deg;
+        let one = found.one.clone().in_frame(Reference::Named(name.into()));
+        let near = &mut Arc::make_mut(&mut program.targets[index].configuration).near_joints_deg;
         *near = near.or(found.near_joints_deg);
         program.targets[index].uses.push(one);
     }
@@ -214,7 +215,7 @@ impl Targets<'_> {
         };
         let value = TargetValue::Displaced(Box::new(displacement));
         let mut target = self.target(self.file.text.span(&composed.to), composed.name.clone(), value);
-        target.configuration.near_joints_deg = found.near_joints_deg;
+        Arc::make_mut(&mut target.configuration).near_joints_deg = found.near_joints_deg;
         target.uses.push(found.one.clone());
         program.targets.push(target);
         self.by_start.insert(composed.to.start, program.targets.len() - 1);

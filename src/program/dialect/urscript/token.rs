@@ -57,8 +57,8 @@ pub(super) fn tokens(source: &Source) -> Vec<Token> {
                 }
                 _ if cursor.name().is_some() => Kind::Name,
                 b'0'..=b'9' | b'.' => match number_at(bytes, start) {
-                    Some(number) if number.span.end <= line.end => {
-                        cursor.seek(number.span.end);
+                    Some(number) if number.span().end <= line.end => {
+                        cursor.seek(number.span().end);
                         Kind::Number
                     }
                     _ => {

@@ -42,7 +42,7 @@ pub(super) fn literal(text: Text<'_>, range: &Range<usize>) -> Option<Literal> {
         Err(_) => Literal::Count(count),
         Ok([x, y, z, rx, ry, rz]) if pose => Literal::Pose(Box::new(CartesianNumbers {
             position: [x, y, z],
-            orientation: vec![rx, ry, rz],
+            orientation: [rx, ry, rz].into(),
             convention: OrientationConvention::RotationVector,
             units: Units::M_RAD,
         })),
@@ -58,7 +58,7 @@ pub(super) fn number(text: Text<'_>, part: &Range<usize>) -> Option<NumberField>
     }
     let last = text.tokens.get(part.end - 1).filter(|token| token.kind == Kind::Number)?;
     let field = number_at(text.source.bytes(), text.tokens[part.start].span.start)?;
-    (field.span.end == last.span.end).then_some(field)
+    (field.span().end == last.span.end).then_some(field)
 }
 
 /// Three numbers in brackets.

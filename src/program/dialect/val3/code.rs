@@ -76,9 +76,9 @@ impl<'a> Text<'a> {
                     cursor.eat(b'"');
                     Kind::Text
                 }
-                b'0'..=b'9' | b'.' => match number_at(bytes, start).filter(|number| number.span.end <= span.end) {
+                b'0'..=b'9' | b'.' => match number_at(bytes, start).filter(|number| number.span().end <= span.end) {
                     Some(number) => {
-                        cursor.seek(number.span.end);
+                        cursor.seek(number.span().end);
                         Kind::Number
                     }
                     None => {

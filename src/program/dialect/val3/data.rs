@@ -170,21 +170,14 @@ fn fields(bytes: &[u8], tag: &Tag, names: [&'static str; 6]) -> Result<[NumberFi
         found.push(match tag.attribute(bytes, name) {
             Some(span) => {
                 let text = &bytes[span.start..span.end];
-                let field = number_at(text, 0).filter(|field| field.span.len() == text.len()).ok_or(name)?;
+                let field = number_at(text, 0).filter(|field| field.span().len() == text.len()).ok_or(name)?;
                 place = behind(span);
-                NumberField { span, ..field }
+                field.at(span.start)
             }
-            None => NumberField {
-                span: Span::new(place, place),
-                value: 0.0,
-                decimals: 0,
-                insertion: Some(Box::new(Insertion {
-                    before: format!(" {name}=\""),
-                    after: "\"".into(),
-                    repeats: false,
-                })),
-                column: None,
-            },
+            None => {
+                let before = format!(" {name}=\"");
+                NumberField::left_out(place, 0.0, 0, Insertion { before, after: "\"".into(), repeats: false })
+            }
         });
     }
     found.try_into().map_err(|_| names[0])
@@ -195,7 +188,7 @@ pub(super) fn pose(fields: [NumberField; 6]) -> CartesianNumbers {
     let [x, y, z, rx, ry, rz] = fields;
     CartesianNumbers {
         position: [x, y, z],
-        orientation: vec![rx, ry, rz],
+        orientation: [rx, ry, rz].into(),
         convention: OrientationConvention::EulerXyz,
         units: Units::MM_DEG,
     }

@@ -8,7 +8,7 @@ use crate::geometry::orientation::OrientationConvention;
 use crate::program::gather::{Gathered, plain};
 use crate::program::number::{NumberField, number_at};
 use crate::program::target::{
-    Displacement, DisplacementKind, JointNumbers, Program, Reference, Target, TargetValue, Units, Use,
+    Displacement, DisplacementKind, JointNumbers, Program, Reference, Target, TargetValue, Units, Use, Way,
 };
 
 use super::change::Changes;
@@ -68,16 +68,18 @@ impl Reader<'_> {
             },
         };
         for (range, path) in &one.goals {
-            let used = Use {
-                file: code.file,
-                span: text.span(&one.tokens),
-                motion: one.word.as_str().into(),
-                path: *path,
-                tool: tool.clone(),
-                frame: Reference::Unnamed,
-                grip_load: Reference::Unnamed,
-                computed: one.computed.clone(),
-            };
+            let used = Use::new(
+                code.file,
+                text.span(&one.tokens),
+                Way {
+                    motion: one.word.as_str().into(),
+                    path: *path,
+                    tool: tool.clone(),
+                    frame: Reference::Unnamed,
+                    grip_load: Reference::Unnamed,
+                    computed: one.computed.clone(),
+                },
+            );
             if let Err(reason) = self.goal(code, text, range, &used) {
                 self.targets.unwritten(&text.show(range), text.span(range), reason, used);
             }
@@ -88,7 +90,7 @@ impl Reader<'_> {
         if let Some(target) = literal(text, code.file, range) {
             let target = self.targets.inline(target);
             let frame = if target.kind() == "joint" { Reference::Unnamed } else { father(None) };
-            target.uses.push(Use { frame, ..used.clone() });
+            target.uses.push(used.clone().in_frame(frame));
             return Ok(());
         }
         if text.word(range.start) == b"appro" && text.is(range.start + 1, b'(') {
@@ -132,7 +134,7 @@ impl Reader<'_> {
         self.targets.add_use(number, used, || Target {
             name: Some(value.shown.clone()),
             computed: value.broken.as_ref().or(changed).cloned(),
-            configuration: value.configuration.clone(),
+            configuration: value.configuration.clone().into_shared(),
             ..plain(value.file, value.span, value.numbers.clone())
         });
     }
@@ -152,7 +154,7 @@ impl Reader<'_> {
             && self.changes.reason(&name.base, key).is_none()
             && matches!(value.numbers, TargetValue::Cartesian(_))
         {
-            let used = Use { frame: father(value.father.as_deref()), ..used.clone() };
+            let used = used.clone().in_frame(father(value.father.as_deref()));
             let base = self.numbers.get(&(name.base, key.clone())).copied().unwrap_or_default();
             let turn = data::pose(fields.clone()).pose().map(|pose| pose.rotation);
             let [x, y, z, ..] = fields;
@@ -170,7 +172,7 @@ impl Reader<'_> {
         }
         let reason = format!("displaced by `{}`: it moves with the point", text.show(by));
         for (key, value) in values {
-            let used = Use { computed: Some(reason.clone()), ..used.clone() };
+            let used = used.clone().computed_by(reason.clone());
             self.use_value(&name.base, &key, &value, used);
         }
         Ok(())
@@ -200,7 +202,7 @@ fn literal(text: &Text<'_>, file: usize, range: &Range<usize>) -> Option<Target>
         let place = ["shoulder", "elbow", "wrist"].iter().position(|name| *name == wanted)?;
         words.get(place).map(|range| text.show(range))
     };
-    let configuration = data::configuration(word);
+    let configuration = data::configuration(word).into_shared();
     Some(Target { configuration, ..plain(file, span, TargetValue::Cartesian(Box::new(numbers))) })
 }
 
@@ -221,5 +223,5 @@ fn number(text: &Text<'_>, part: &Range<usize>) -> Option<NumberField> {
         return None;
     }
     let field = number_at(text.source.bytes(), text.tokens[part.start].1.start)?;
-    (field.span.end == last.end).then_some(field)
+    (field.span().end == last.end).then_some(field)
 }

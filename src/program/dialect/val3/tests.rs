@@ -41,7 +41,7 @@ fn absent_attributes_are_zero_and_are_put_where_they_belong() {
     assert_eq!(numbers.orientation.iter().map(|field| field.value).collect::<Vec<_>>(), [0.0, 0.0, 55.0]);
     let mut edits = EditSet::default();
     for (at, field) in numbers.position.iter().chain(&numbers.orientation).enumerate() {
-        let (span, text) = written(field, source.slice(field.span), &Decimal::nearest(at as f64 + 0.25, 2));
+        let (span, text) = written(field, source.slice(field.span()), &Decimal::nearest(at as f64 + 0.25, 2));
         edits.push(span, text);
     }
     let text = String::from_utf8(edits.apply(source.bytes()).expect("disjoint")).expect("utf-8");
