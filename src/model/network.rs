@@ -72,10 +72,10 @@ pub struct ResidualNetwork {
     pub members: Vec<Layers>,
     /// Where it learned; absent: it holds everywhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub measured: Option<MeasuredBox>,
+    pub measured: Option<Box<MeasuredBox>>,
     /// How sure it is; absent: it does not know.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub sureness: Option<Sureness>,
+    pub sureness: Option<Box<Sureness>>,
 }
 
 /// The actuator angles of the records that a network learned from. Beyond them it goes to nothing.
@@ -271,14 +271,14 @@ mod tests {
     #[test]
     fn beyond_the_measured_box_it_goes_to_nothing_and_members_that_differ_make_it_unsure() {
         let measured = MeasuredBox { min_rad: [-1.0; DOF], max_rad: [1.0; DOF] };
-        let mut network = ResidualNetwork { measured: Some(measured), ..network() };
+        let mut network = ResidualNetwork { measured: Some(Box::new(measured)), ..network() };
         let at = |network: &ResidualNetwork, angle: f64| {
             network.ready().outputs(&[angle, 0.8, 0.0, 0.0, 0.0, 0.0], &[0.0; DOF], &Conditions::default())[2]
         };
         assert_eq!(at(&network, 0.9), at(&ResidualNetwork { measured: None, ..network.clone() }, 0.9));
         assert!(at(&network, 1.1).abs() < 0.9 * at(&network, 1.0).abs() && at(&network, 1.1) != 0.0);
         assert_eq!((at(&network, 1.25), at(&network, -1.25)), (0.0, 0.0));
-        network.sureness = Some(Sureness { evidence_rad: [3e-4; DOF], factor: 2.0 });
+        network.sureness = Some(Box::new(Sureness { evidence_rad: [3e-4; DOF], factor: 2.0 }));
         let sigma = |network: &ResidualNetwork| network.sigma_rad(&[0.1; DOF], &[0.0; DOF], &Conditions::default())[1];
         assert!((sigma(&network) - 6e-4).abs() < 1e-12);
         network.members[1].output_biases[1] += 8e-4;

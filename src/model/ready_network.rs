@@ -19,7 +19,7 @@ pub struct ReadyNetwork {
     /// Mean of the members' output biases.
     biases: [f64; DOF],
     blocks: Vec<Block>,
-    measured: Option<MeasuredBox>,
+    measured: Option<Box<MeasuredBox>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +55,7 @@ impl ReadyNetwork {
             let starts = (0..member.hidden_biases.len()).step_by(WIDTH);
             blocks.extend(starts.map(|first| Block::new(member, first, features.len(), share)));
         }
-        Self { output: network.output, features, biases, blocks, measured: network.measured }
+        Self { output: network.output, features, biases, blocks, measured: network.measured.clone() }
     }
 
     /// The outputs (the first [`Output::count`] of the array) at these actuator angles and loads.

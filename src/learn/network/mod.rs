@@ -168,11 +168,11 @@ impl<'a> Course<'a> {
             scale: self.inputs.scale.clone(),
             output: Output::Actuators,
             members: bag.members.iter().map(layers).collect(),
-            measured: Some(MeasuredBox {
+            measured: Some(Box::new(MeasuredBox {
                 min_rad: limit(f64::min, f64::INFINITY),
                 max_rad: limit(f64::max, f64::NEG_INFINITY),
-            }),
-            sureness: Some(Sureness { evidence_rad, factor: 1.0 }),
+            })),
+            sureness: Some(Box::new(Sureness { evidence_rad, factor: 1.0 })),
         }
     }
 }
