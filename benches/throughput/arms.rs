@@ -52,6 +52,8 @@ fn network(random: &mut ChaCha8Rng) -> ResidualNetwork {
         scale: vec![1.0; inputs],
         output: Output::Position,
         members: vec![layers(), layers(), layers()],
+        measured: None,
+        sureness: None,
     }
 }
 

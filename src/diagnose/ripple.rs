@@ -15,7 +15,7 @@ use crate::identify::state::State;
 use crate::identify::unknown::Unknown;
 use crate::learn::additive::{Fitted as Regressed, Regression};
 use crate::learn::calibration::calibrate_uncertainty;
-use crate::learn::choose::error_of_terms_m2;
+use crate::learn::learned::error_of_terms_m2;
 use crate::learn::samples::Samples;
 use crate::learn::term::{Term, own_angles};
 use crate::measure::recording::Kind;

@@ -6,7 +6,8 @@
 
 use crate::identify::estimate::Estimate;
 use crate::identify::problem::NoPose;
-use crate::learn::choose::{Candidate, Learned, learn};
+use crate::learn::choose::{Candidate, Rivals, learn};
+use crate::learn::learned::Learned;
 
 use super::evidence::looked_at;
 use super::fitted::{Fitted, Ground};
@@ -17,7 +18,10 @@ use super::fitted::{Fitted, Ground};
 /// [`NoPose`] when a model cannot place a record.
 pub fn names_are_worth_having(ground: &Ground<'_>, found: &Fitted<'_>, seed: u64) -> Result<bool, NoPose> {
     let unnamed = ground.fit(&[])?.estimate;
-    let learned = |estimate: &Estimate<'_>| learn(&estimate.problem, &estimate.fit.state, &estimate.fit.unknowns, seed);
+    // Curves are what could have told the same; a network would take longer and tell less.
+    let learned = |estimate: &Estimate<'_>| {
+        learn(&estimate.problem, &estimate.fit.state, &estimate.fit.unknowns, Rivals::Curves, seed)
+    };
     let (unnamed, named) = (learned(&unnamed)?, learned(&found.estimate)?);
     let (Some(unnamed), Some(named)) = (chosen(&unnamed), chosen(&named)) else { return Ok(true) };
     let coordinates = 3.0 * ground.problem.records.len() as f64;

@@ -5,7 +5,6 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::measure::observation::{Measured, Observation};
 use crate::model::arm::ArmModel;
-use crate::model::learner::Learner;
 use crate::model::linkage::actuators_from_numbers;
 use crate::model::parameters::{ParameterId, RowQuantity};
 use crate::model::robot::DOF;
@@ -86,9 +85,9 @@ fn spread_of(problem: &Problem<'_>, state: &State, uncertainty: &Uncertainty) ->
         .collect())
 }
 
-/// Covariance of each position by the uncertainty of learned curves, m^2, through the levers of the actuators.
+/// Covariance of each position by the uncertainty of what was learned, m^2, through the levers of the actuators.
 fn spread_of_learner(problem: &Problem<'_>, state: &State) -> Result<Vec<Matrix3<f64>>, NoPose> {
-    let Some(Learner::Curves(curves)) = &state.model.learner else {
+    let Some(learner) = &state.model.learner else {
         return Ok(vec![Matrix3::zeros(); problem.records.len()]);
     };
     let any = Prior { mean: 0.0, sigma: 1.0 };
@@ -107,7 +106,7 @@ fn spread_of_learner(problem: &Problem<'_>, state: &State) -> Result<Vec<Matrix3
             let stand = prepared.at(&observation.numbers_rad, &observation.conditions, None);
             let torques = stand.map_or([0.0; DOF], |stand| stand.statics.actuator_torque_nm);
             let angles = actuators_from_numbers(&state.model.robot, &observation.numbers_rad);
-            let sigma_rad = curves.sigma_rad(&angles, &torques, &observation.conditions);
+            let sigma_rad = learner.sigma_rad(&angles, &torques, &observation.conditions);
             (0..DOF)
                 .map(|actuator| {
                     let lever: Vector3<f64> = levers.fixed_view::<3, 1>(3 * index, actuator) * sigma_rad[actuator];

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::base::units::mm_from_m;
+use crate::model::robot::DOF;
 
 use super::split::SplitSource;
 
@@ -264,6 +265,8 @@ pub struct ResidualReport {
     pub set: Option<&'static str>,
     /// False when it was left out.
     pub used: bool,
+    /// Joint numbers, deg: what a plot of the residuals stands over.
+    pub joints_deg: [f64; DOF],
     /// Model minus measurement in its station's frame, mm.
     pub residual_mm: [f64; 3],
     /// Their length, mm.

@@ -299,6 +299,7 @@ fn residuals(outcome: &Outcome<'_>) -> Result<Vec<ResidualReport>, NoPose> {
                 line: observation.line,
                 set: set_of(outcome, index),
                 used: outcome.sound[index],
+                joints_deg: observation.numbers_rad.map(deg_from_rad),
                 residual_mm: std::array::from_fn(|axis| mm_from_m(residual[axis])),
                 length_mm: mm_from_m(residual.norm()),
             }

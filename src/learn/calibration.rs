@@ -7,9 +7,9 @@ use crate::identify::calibrate::{Outcome, StageState};
 use crate::identify::estimate::{estimate, root_mean_square};
 use crate::identify::problem::{NoPose, Problem};
 use crate::identify::state::State;
-use crate::model::learner::Learner;
 
-use super::choose::{Learned, learn, learn_again};
+use super::choose::{Rivals, learn, learn_again};
+use super::learned::Learned;
 use super::paper::train;
 use super::samples::Samples;
 
@@ -25,12 +25,12 @@ pub fn add(outcome: &mut Outcome<'_>, seed: u64) -> Result<Learned, NoPose> {
     let records = outcome.to_learn_from();
     let identified = outcome.last_state().clone();
     let problem = outcome.problem.subset(&records);
-    let mut learned = learn(&problem, &identified, &unknowns, seed)?;
+    let mut learned = learn(&problem, &identified, &unknowns, Rivals::All, seed)?;
     let Some(state) = learned.state.clone() else { return Ok(learned) };
     outcome.stages.push(StageState { name: STAGE, free: unknowns.len(), trained: true, state });
     if outcome.fitted != records {
         let problem = outcome.problem.subset(&outcome.fitted);
-        learned = learn_again(&problem, &outcome.delivered.fit.state, &unknowns, learned)?;
+        learned = learn_again(&problem, &outcome.delivered.fit.state, &unknowns, learned, seed)?;
     }
     deliver(outcome, &learned)?;
     Ok(learned)
@@ -84,18 +84,18 @@ fn deliver(outcome: &mut Outcome<'_>, learned: &Learned) -> Result<(), NoPose> {
     Ok(())
 }
 
-/// Scales the uncertainty of the curves so that, over the records, it adds up to the mean square error that they are expected
-/// to make, m^2. Their own uncertainties are marginal: two that turn parallel axes share an error and undo it.
+/// Scales the uncertainty of the learner so that, over the records, it adds up to the mean square error that they are expected
+/// to make, m^2. Curves' own uncertainties are marginal: two that turn parallel axes share an error and undo it.
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
 pub fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, error_m2: f64) -> Result<(), NoPose> {
     let samples = Samples::new(problem, state, &[])?;
-    let Some(Learner::Curves(curves)) = &mut state.model.learner else { return Ok(()) };
+    let Some(learner) = &mut state.model.learner else { return Ok(()) };
     let mut claimed_m2 = 0.0;
     for record in 0..samples.count() {
         let (angles, torques) = (&samples.actuators_rad[record], &samples.torque_nm[record]);
-        let sigma = curves.sigma_rad(angles, torques, &samples.observations[record].conditions);
+        let sigma = learner.sigma_rad(angles, torques, &samples.observations[record].conditions);
         let sigma_m = problem.records[record].sigma_m;
         let first = samples.rows[record];
         for (actuator, sigma) in sigma.iter().enumerate() {
@@ -105,10 +105,7 @@ pub fn calibrate_uncertainty(problem: &Problem<'_>, state: &mut State, error_m2:
     }
     claimed_m2 /= samples.count().max(1) as f64;
     if claimed_m2 > 0.0 {
-        let factor = (error_m2 / claimed_m2).sqrt();
-        for sigma in curves.curves.iter_mut().flat_map(|curve| &mut curve.sigma_rad) {
-            *sigma = (*sigma * factor * 1e11).round() / 1e11;
-        }
+        learner.scale_sigma((error_m2 / claimed_m2).sqrt());
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 //!
 //! The parts: [`samples`] (residuals and levers of the records), [`term`] (the functions of which a learner may be
 //! made), [`evidence`] (how strong each may be: Bayesian regression with a variance for each group), [`additive`] (the
-//! learner of joint errors), [`folds`] (blocked cross-validation), [`choose`] (which learner, if any), [`calibration`] (the
+//! learner of joint errors), [`network`] (the network of joint errors), [`folds`] (blocked cross-validation), [`choose`] (which learner, if any), [`learned`] (what was learned), [`calibration`] (the
 //! learner as a stage of a calibration), [`paper`] (the plain network of the paper).
 
 pub mod additive;
@@ -13,6 +13,8 @@ pub mod choose;
 pub mod drawing;
 pub mod evidence;
 pub mod folds;
+pub mod learned;
+pub mod network;
 pub mod paper;
 pub mod samples;
 pub mod term;

@@ -62,7 +62,7 @@ pub fn train(problem: &Problem<'_>, state: &State, seed: u64) -> Result<Residual
         }
     }
     let features = (1..=DOF).map(Feature::Angle).collect();
-    Ok(ResidualNetwork { features, shift, scale, output: Output::Position, members })
+    Ok(ResidualNetwork { features, shift, scale, output: Output::Position, members, measured: None, sureness: None })
 }
 
 /// Subtracts the mean of each row and divides by its spread.

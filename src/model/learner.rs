@@ -47,6 +47,36 @@ impl Learner {
         }
     }
 
+    /// Standard uncertainty of what each actuator is turned by, rad; zero where the learner does not know it.
+    pub fn sigma_rad(
+        &self,
+        actuators_rad: &[f64; DOF],
+        actuator_torque_nm: &[f64; DOF],
+        conditions: &Conditions,
+    ) -> [f64; DOF] {
+        match self {
+            Learner::Network(network) => network.sigma_rad(actuators_rad, actuator_torque_nm, conditions),
+            Learner::Curves(curves) => curves.sigma_rad(actuators_rad, actuator_torque_nm, conditions),
+        }
+    }
+
+    /// Multiplies its uncertainty. A network that does not know it stays without.
+    pub fn scale_sigma(&mut self, factor: f64) {
+        match self {
+            Learner::Network(network) => {
+                if let Some(sureness) = &mut network.sureness {
+                    sureness.factor *= factor;
+                }
+            }
+            Learner::Curves(curves) => {
+                for sigma in curves.curves.iter_mut().flat_map(|curve| &mut curve.sigma_rad) {
+                    // As short in a file as the curves are.
+                    *sigma = (*sigma * factor * 1e11).round() / 1e11;
+                }
+            }
+        }
+    }
+
     /// Laid out for many evaluations.
     pub fn ready(&self) -> ReadyLearner<'_> {
         match self {

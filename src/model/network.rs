@@ -22,6 +22,14 @@ pub enum Feature {
     Torque(usize),
     /// Sense of the last approach.
     Approach(usize),
+    /// Sine of the sum of two actuator angles: how a serial forearm stands to gravity.
+    SineOfSum(usize, usize),
+    /// Its cosine.
+    CosineOfSum(usize, usize),
+    /// Sine of the first actuator angle less the second: how far a parallelogram is folded.
+    SineOfDifference(usize, usize),
+    /// Its cosine.
+    CosineOfDifference(usize, usize),
 }
 
 /// What the numbers that come out are added to.
@@ -62,6 +70,33 @@ pub struct ResidualNetwork {
     pub output: Output,
     /// The members of the bag.
     pub members: Vec<Layers>,
+    /// Where it learned; absent: it holds everywhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub measured: Option<Box<MeasuredBox>>,
+    /// How sure it is; absent: it does not know.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sureness: Option<Box<Sureness>>,
+}
+
+/// The actuator angles of the records that a network learned from. Beyond them it goes to nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MeasuredBox {
+    /// Smallest of each, rad.
+    pub min_rad: [f64; DOF],
+    /// Largest of each, rad.
+    pub max_rad: [f64; DOF],
+}
+
+/// Standard uncertainty of a network of actuator errors: `factor sqrt(spread^2 + evidence^2)` of each output, with the
+/// standard deviation of the members at the pose.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sureness {
+    /// What the evidence leaves of each output, root mean square over the records, rad.
+    pub evidence_rad: [f64; DOF],
+    /// By what held-out records say that both together are too small or too large.
+    pub factor: f64,
 }
 
 /// What is wrong with the shapes of a network.
@@ -113,15 +148,59 @@ impl ResidualNetwork {
         Ok(())
     }
 
+    /// Standard uncertainty of each output at a pose, rad; zero where the network does not know it.
+    pub fn sigma_rad(
+        &self,
+        actuators_rad: &[f64; DOF],
+        actuator_torque_nm: &[f64; DOF],
+        conditions: &Conditions,
+    ) -> [f64; DOF] {
+        let Some(sureness) = &self.sureness else { return [0.0; DOF] };
+        let alone = |member: &Layers| Self { members: vec![member.clone()], ..self.clone() }.ready();
+        let outputs: Vec<[f64; DOF]> = self
+            .members
+            .iter()
+            .map(|member| alone(member).outputs(actuators_rad, actuator_torque_nm, conditions))
+            .collect();
+        let count = outputs.len().max(1) as f64;
+        std::array::from_fn(|output| {
+            let mean = outputs.iter().map(|one| one[output]).sum::<f64>() / count;
+            let spread = outputs.iter().map(|one| (one[output] - mean).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
+            sureness.factor * (spread + sureness.evidence_rad[output].powi(2)).sqrt()
+        })
+    }
+
     /// The network laid out for many evaluations.
     pub fn ready(&self) -> ReadyNetwork {
         ReadyNetwork::new(self)
     }
 }
 
+/// Beyond the measured box, over this part of its width, a network goes to nothing.
+const FADES: f64 = 0.12;
+
+impl MeasuredBox {
+    /// One within the box, zero far from it, smooth in between: a product over the actuators.
+    pub(super) fn share<T: Real>(&self, actuators_rad: &[T; DOF]) -> T {
+        let mut share = T::one();
+        for (angle, (min, max)) in actuators_rad.iter().zip(self.min_rad.iter().zip(&self.max_rad)) {
+            let fades = FADES * (max - min).max(f64::MIN_POSITIVE);
+            let beyond = if angle.value() > *max { *angle - T::constant(*max) } else { T::constant(*min) - *angle };
+            if beyond.value() >= fades {
+                return T::zero();
+            }
+            if beyond.value() > 0.0 {
+                let part = beyond / T::constant(fades);
+                share *= T::one() - part * part * (T::constant(3.0) - part * T::constant(2.0));
+            }
+        }
+        share
+    }
+}
+
 impl Feature {
     /// Its value; `turns` are sine and cosine of the angles.
-    pub(super) fn value<T: Real>(
+    pub fn value<T: Real>(
         self,
         angles: &[T; DOF],
         turns: &[(T, T); DOF],
@@ -135,6 +214,22 @@ impl Feature {
             Feature::Cosine(at) => turns[joint(at)].1,
             Feature::Torque(at) => torques[joint(at)],
             Feature::Approach(at) => T::constant(conditions.approach[joint(at)]),
+            Feature::SineOfSum(one, other) => {
+                let ((s, c), (so, co)) = (turns[joint(one)], turns[joint(other)]);
+                s * co + c * so
+            }
+            Feature::CosineOfSum(one, other) => {
+                let ((s, c), (so, co)) = (turns[joint(one)], turns[joint(other)]);
+                c * co - s * so
+            }
+            Feature::SineOfDifference(one, other) => {
+                let ((s, c), (so, co)) = (turns[joint(one)], turns[joint(other)]);
+                s * co - c * so
+            }
+            Feature::CosineOfDifference(one, other) => {
+                let ((s, c), (so, co)) = (turns[joint(one)], turns[joint(other)]);
+                c * co + s * so
+            }
         }
     }
 }
@@ -156,6 +251,8 @@ mod tests {
             scale: vec![1.0, 2.0],
             output: Output::Position,
             members: vec![layers.clone(), layers],
+            measured: None,
+            sureness: None,
         }
     }
 
@@ -169,6 +266,24 @@ mod tests {
         for (found, expected) in out.iter().zip([h0, h1, 2.0 * h0 - h1 + 0.5]) {
             assert!((found - expected).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn beyond_the_measured_box_it_goes_to_nothing_and_members_that_differ_make_it_unsure() {
+        let measured = MeasuredBox { min_rad: [-1.0; DOF], max_rad: [1.0; DOF] };
+        let mut network = ResidualNetwork { measured: Some(Box::new(measured)), ..network() };
+        let at = |network: &ResidualNetwork, angle: f64| {
+            network.ready().outputs(&[angle, 0.8, 0.0, 0.0, 0.0, 0.0], &[0.0; DOF], &Conditions::default())[2]
+        };
+        assert_eq!(at(&network, 0.9), at(&ResidualNetwork { measured: None, ..network.clone() }, 0.9));
+        assert!(at(&network, 1.1).abs() < 0.9 * at(&network, 1.0).abs() && at(&network, 1.1) != 0.0);
+        assert_eq!((at(&network, 1.25), at(&network, -1.25)), (0.0, 0.0));
+        network.sureness = Some(Box::new(Sureness { evidence_rad: [3e-4; DOF], factor: 2.0 }));
+        let sigma = |network: &ResidualNetwork| network.sigma_rad(&[0.1; DOF], &[0.0; DOF], &Conditions::default())[1];
+        assert!((sigma(&network) - 6e-4).abs() < 1e-12);
+        network.members[1].output_biases[1] += 8e-4;
+        // Two members 8e-4 apart: a variance of 32e-8 beside 9e-8.
+        assert!((sigma(&network) - 2.0 * 41e-8f64.sqrt()).abs() < 1e-12);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 use crate::geometry::real::Real;
 
 use super::conditions::Conditions;
-use super::network::{Feature, Layers, Output, ResidualNetwork};
+use super::network::{Feature, Layers, MeasuredBox, Output, ResidualNetwork};
 use super::robot::DOF;
 
 /// Hidden units in a block.
@@ -19,6 +19,7 @@ pub struct ReadyNetwork {
     /// Mean of the members' output biases.
     biases: [f64; DOF],
     blocks: Vec<Block>,
+    measured: Option<Box<MeasuredBox>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +55,7 @@ impl ReadyNetwork {
             let starts = (0..member.hidden_biases.len()).step_by(WIDTH);
             blocks.extend(starts.map(|first| Block::new(member, first, features.len(), share)));
         }
-        Self { output: network.output, features, biases, blocks }
+        Self { output: network.output, features, biases, blocks, measured: network.measured.clone() }
     }
 
     /// The outputs (the first [`Output::count`] of the array) at these actuator angles and loads.
@@ -78,6 +79,10 @@ impl ReadyNetwork {
                     *number += *unit * T::constant(weight);
                 }
             }
+        }
+        if let Some(measured) = &self.measured {
+            let share = measured.share(actuators_rad);
+            out.iter_mut().for_each(|number| *number *= share);
         }
         out
     }

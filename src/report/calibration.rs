@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use crate::identify::report::Report;
-use crate::learn::choose::{Candidate, Learned};
+use crate::learn::choose::Candidate;
+use crate::learn::learned::Learned;
 use crate::model::arm::EffectInstance;
 use crate::model::effect::Location;
 

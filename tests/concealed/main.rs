@@ -25,6 +25,7 @@ mod long_form;
 mod measurement;
 mod motion;
 mod plan;
+mod radius;
 mod real;
 mod rivals;
 mod simulator_laws;
@@ -49,4 +50,38 @@ fn a_handful_of_trials_is_judged_right() {
 #[ignore = "more than a thousand trials"]
 fn long_form() {
     long_form::run();
+}
+
+/// Radii of 95 % on fresh recordings. Prints the table of docs/accuracy.md:
+///
+/// ```text
+/// cargo test --release --test concealed -- --ignored --nocapture radii
+/// ```
+#[test]
+#[ignore = "a hundred calibrations"]
+fn radii_hold_on_fresh_recordings() {
+    let all = radius::study(&plan::fresh(), true);
+    println!("| recordings | number | within, % | least | tenth | median | error over noise |");
+    println!("| --- | --- | --- | --- | --- | --- | --- |");
+    let pooled = radius::tell("all", &all, |_| true);
+    radius::tell("noise stated", &all, |held| held.noise_stated);
+    radius::tell("noise not stated", &all, |held| !held.noise_stated);
+    for causes in 0..3 {
+        radius::tell(&format!("{causes} causes"), &all, |held| held.causes == causes);
+    }
+    radius::tell("up to 100 records", &all, |held| held.records <= 100);
+    radius::tell("240 records and more", &all, |held| held.records >= 240);
+    assert!((0.93..=0.97).contains(&pooled), "{pooled}");
+}
+
+/// Geometry alone, from few records.
+#[test]
+#[ignore = "fifty calibrations"]
+fn geometry_from_few_records() {
+    let all = radius::study(&plan::bare(), false);
+    for records in [40, 60, 120, 240] {
+        radius::tell(&format!("{records} records"), &all, |held| held.records == records);
+    }
+    let pooled = radius::tell("all", &all, |_| true);
+    assert!((0.93..=0.97).contains(&pooled), "{pooled}");
 }

@@ -46,6 +46,9 @@ pub fn written(spec: &Spec, measured: &Measured<'_>, dice: &mut Dice) -> (String
         if !spec.has(Hardship::NoTemperature) {
             let _ = write!(text, ",{:.2}", AMBIENT_C + moment.warmer_k + 0.05 * dice.normal());
         }
+        if spec.noise_stated {
+            let _ = write!(text, ",{:.5}", 1e3 * measured.sigma_m);
+        }
         seen.iter().for_each(|x| {
             let _ = write!(text, ",{:.4}", 1e3 * x);
         });
@@ -90,6 +93,7 @@ fn header(spec: &Spec, measured: bool) -> String {
     optional("payload_kg", !spec.has(Hardship::PayloadUnknown));
     optional("station", spec.has(Hardship::MovedStation));
     optional("temp_c", !spec.has(Hardship::NoTemperature));
+    optional("sigma_mm", measured && spec.noise_stated);
     ["x_mm", "y_mm", "z_mm"].iter().for_each(|name| optional(name, measured));
     names.join(",") + "\n"
 }

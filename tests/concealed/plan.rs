@@ -7,6 +7,8 @@ use crate::trial::{Hardship, Spec};
 /// Sizes over the noise at which single causes are tried.
 pub const LEVELS: [f64; 3] = [3.0, 1.0, 0.3];
 
+const RECORDS: usize = 240;
+const FEW_RECORDS: usize = 60;
 const NULLS: [usize; 2] = [160, 40];
 const STATIC_SINGLES: usize = 8;
 const MOVING_SINGLES: usize = 6;
@@ -15,6 +17,8 @@ const HARD_NULLS: usize = 6;
 const HARD_SINGLES: usize = 8;
 const TOGETHER: usize = 20;
 const OUTSIDE: usize = 10;
+const FRESH: usize = 96;
+const BARE: usize = 48;
 
 /// Every trial of the long form, in an order in which any beginning is a fair sample.
 pub fn all() -> Vec<Spec> {
@@ -85,8 +89,39 @@ pub fn few() -> Vec<Spec> {
     specs
 }
 
-fn spec(group: &'static str, moving: bool, wanted: Vec<(&'static str, f64)>, hardships: Vec<Hardship>) -> Spec {
-    Spec { number: 0, group, moving, wanted, hardships }
+/// Fresh recordings for `u95_mm`: 60 to 500 records, 0.01 to 0.1 mm of noise, half of them stating it, up to two causes.
+pub fn fresh() -> Vec<Spec> {
+    let mut dice = Dice::new(29);
+    (0..FRESH)
+        .map(|index| {
+            let mut one = spec("fresh", false, some(index % 3, &mut dice), Vec::new());
+            one.number = 5_000_001 + index as u64;
+            one.records = *dice.pick(&[60, 100, 160, 240, 360, 500]);
+            one.noise_m = Some(1e-5 * 10f64.powf(dice.between(0.0, 1.0)));
+            one.noise_stated = dice.chance(0.5);
+            one
+        })
+        .collect()
+}
+
+/// Arms with nothing but geometry errors and few records.
+pub fn bare() -> Vec<Spec> {
+    let mut dice = Dice::new(31);
+    (0..BARE)
+        .map(|index| {
+            let mut one = spec("bare", false, Vec::new(), Vec::new());
+            one.number = 6_000_001 + index as u64;
+            one.records = [40, 60, 120, 240][index % 4];
+            one.noise_m = Some(1e-5 * 10f64.powf(dice.between(0.0, 1.0)));
+            one
+        })
+        .collect()
+}
+
+/// A trial without a number.
+pub fn spec(group: &'static str, moving: bool, wanted: Vec<(&'static str, f64)>, hardships: Vec<Hardship>) -> Spec {
+    let records = if hardships.contains(&Hardship::FewRecords) { FEW_RECORDS } else { RECORDS };
+    Spec { number: 0, group, moving, wanted, hardships, records, noise_m: None, noise_stated: false }
 }
 
 /// Different kinds at different levels.

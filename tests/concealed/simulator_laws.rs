@@ -10,6 +10,7 @@ use crate::arm::{Arm, BODIES, Shape};
 use crate::cause::{Cause, Frame, MOVING_KINDS, OUTSIDE_KINDS, STATIC_KINDS};
 use crate::dice::Dice;
 use crate::motion::Moment;
+use crate::plan::spec;
 use crate::real::Real;
 use crate::tables::wilson;
 use crate::trial::{Spec, build};
@@ -83,7 +84,7 @@ fn every_kind_is_concealed_at_the_size_that_was_asked_for() {
     let static_kinds = STATIC_KINDS.iter().chain(&OUTSIDE_KINDS).map(|kind| (*kind, false));
     for (number, (kind, moving)) in static_kinds.chain(MOVING_KINDS.iter().map(|kind| (*kind, true))).enumerate() {
         let wanted = vec![(kind, 1.0)];
-        let spec = Spec { number: 7000 + number as u64, group: "law", moving, wanted, hardships: Vec::new() };
+        let spec = Spec { number: 7000 + number as u64, ..spec("law", moving, wanted, Vec::new()) };
         let trial = build(&spec);
         let one = &trial.truth.concealed[0];
         assert!((one.level - 1.0).abs() < 0.1, "{kind}: {} at {:?} {:.2e}", one.level, one.cause, one.size);

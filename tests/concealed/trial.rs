@@ -73,6 +73,12 @@ pub struct Spec {
     /// Kinds of causes and their levels.
     pub wanted: Vec<(&'static str, f64)>,
     pub hardships: Vec<Hardship>,
+    /// Poses of an arm that stands.
+    pub records: usize,
+    /// Noise per axis, m; `None`: drawn, in proportion to the arm.
+    pub noise_m: Option<f64>,
+    /// The recording says how large its noise is.
+    pub noise_stated: bool,
 }
 
 impl Spec {
@@ -150,7 +156,6 @@ fn draw(spec: &Spec, dice: &mut Dice) -> Option<Trial> {
     let bare = Arm::of_file(&file);
     let speeds: [f64; DOF] = std::array::from_fn(|joint| file.joints[joint].max_speed_rad_s.unwrap_or(2.0).min(4.0));
     let motion = Arc::new(Motion::draw(&ranges, &speeds, dice));
-    let count = if spec.has(Hardship::FewRecords) { 60 } else { 240 };
     let habits = Habits {
         direct: spec.has(Hardship::NoDir),
         winding_rad: dice.between(0.5, 1.0_f64).to_radians(),
@@ -159,7 +164,7 @@ fn draw(spec: &Spec, dice: &mut Dice) -> Option<Trial> {
     };
     let mut moments = match spec.moving {
         true => along(&motion, MOVING_RECORDS, STEP_S, 1e-3),
-        false => poses(&file, &bare, &ranges, count, habits, dice)?,
+        false => poses(&file, &bare, &ranges, spec.records, habits, dice)?,
     };
     if spec.moving && moments.iter().step_by(25).any(|moment| !crate::motion::allowed(&file, &bare, &moment.numbers)) {
         return None;
@@ -188,7 +193,8 @@ fn draw(spec: &Spec, dice: &mut Dice) -> Option<Trial> {
     let mut arm = Arm::of_file(&file);
     let reach_m: f64 = lengths_m.iter().sum();
     arm.disturb(dice, 2.5e-4 * reach_m.sqrt(), 3e-4);
-    let sigma_m = 1e-5 * dice.between(0.8, 1.4) * reach_m.max(0.8);
+    let usual_m = 1e-5 * dice.between(0.8, 1.4) * reach_m.max(0.8);
+    let sigma_m = spec.noise_m.unwrap_or(usual_m);
     let nuisance = Nuisance::of(&arm, &moments)?;
     let mut concealed = Vec::new();
     for ((kind, level), cause) in spec.wanted.iter().zip(causes) {

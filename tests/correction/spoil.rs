@@ -51,5 +51,13 @@ fn network(random: &mut ChaCha8Rng) -> ResidualNetwork {
         output_biases: row(DOF, 3e-5),
     };
     let (shift, scale) = (vec![0.0; inputs], vec![1.0; inputs]);
-    ResidualNetwork { features, shift, scale, output: Output::Actuators, members: vec![layers] }
+    ResidualNetwork {
+        features,
+        shift,
+        scale,
+        output: Output::Actuators,
+        members: vec![layers],
+        measured: None,
+        sureness: None,
+    }
 }
