@@ -96,6 +96,12 @@ pub fn free_functions(regressors: &Regressors<'_, '_>) -> Vec<FreeFunction> {
 }
 
 impl FreeFunction {
+    /// True for an error of a joint by its own position alone: enough lines of a spectrum are any such function, so that names in
+    /// number say nothing against it.
+    pub fn is_of_own_position(&self) -> bool {
+        matches!((self.seat, &self.variables[..]), (Seat::Joint(joint), &[Variable::Position(own)]) if own == joint)
+    }
+
     /// True when a named effect at this place is by its definition a function of this kind: only the law is another, and laws
     /// are never exact.
     pub fn is_what_means(&self, id: &str, at: &Location) -> bool {

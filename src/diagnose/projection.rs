@@ -8,8 +8,10 @@ use nalgebra::{DMatrix, DVector};
 /// basis is kept: `Z~'Z~ = Z'Z - (Q'Z)'(Q'Z)` and `Z~'r = Z'r`.
 #[derive(Clone, Debug)]
 pub struct Projection {
-    /// Upper part of an orthonormal basis of what is free, rows x parameters.
+    /// Upper part of an orthonormal basis of what is free, rows x parameters ...
     basis: DMatrix<f64>,
+    /// ... and its transpose: products with it are what a search spends its time on.
+    transposed: DMatrix<f64>,
     /// Residuals, whitened, orthogonal to what is free.
     pub residuals: DVector<f64>,
     /// Sum of squares of residuals and priors.
@@ -75,8 +77,10 @@ impl Projection {
         let q = stacked.qr().q();
         let right = &right - &q * (q.tr_mul(&right));
         let right = &right - &q * (q.tr_mul(&right));
+        let basis = q.rows(0, rows).into_owned();
         Self {
-            basis: q.rows(0, rows).into_owned(),
+            transposed: basis.transpose(),
+            basis,
             residuals: right.rows(0, rows).into_owned(),
             cost: right.norm_squared(),
             rows,
@@ -87,8 +91,7 @@ impl Projection {
     /// The same with further columns projected out, of which only what is new counts.
     #[must_use]
     pub fn with(&self, columns: &DMatrix<f64>) -> Self {
-        let along = self.basis.tr_mul(columns);
-        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
+        let gram = scaled(&self.own_gram(columns), columns);
         let (vectors, roots) = own_directions(&gram);
         if roots.is_empty() {
             return self.clone();
@@ -102,7 +105,7 @@ impl Projection {
                 column /= length;
             }
         }
-        let mut fresh = (&unit - &self.basis * (self.basis.tr_mul(&unit))) * &vectors;
+        let mut fresh = (&unit - &self.basis * (&self.transposed * &unit)) * &vectors;
         for (mut column, root) in fresh.column_iter_mut().zip(&roots) {
             column /= *root;
         }
@@ -115,9 +118,16 @@ impl Projection {
             residuals: &self.residuals - &fresh * &along,
             cost: self.cost - along.norm_squared(),
             free: self.free + fresh.ncols(),
+            transposed: basis.transpose(),
             basis,
             rows: self.rows,
         }
+    }
+
+    /// Inner products of columns beyond what is free. As products: those are blocked for the cache, [`DMatrix::tr_mul`] is not.
+    fn own_gram(&self, columns: &DMatrix<f64>) -> DMatrix<f64> {
+        let along = &self.transposed * columns;
+        columns.transpose() * columns - along.transpose() * along
     }
 
     /// What a fit without these rows leaves there: `(I - H_bb)^-1 r_b`.
@@ -137,8 +147,7 @@ impl Projection {
     /// What these columns (whitened) explain of the residuals.
     pub fn gain(&self, columns: &DMatrix<f64>) -> Gain {
         let count = columns.ncols();
-        let along = self.basis.tr_mul(columns);
-        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
+        let gram = scaled(&self.own_gram(columns), columns);
         let lengths = lengths_of(columns);
         let slope = DVector::from_iterator(
             count,
@@ -165,8 +174,7 @@ impl Projection {
 
     /// Orthonormal directions of a candidate beyond what is free, to ask many residuals for.
     pub fn probe(&self, columns: &DMatrix<f64>) -> Probe {
-        let along = self.basis.tr_mul(columns);
-        let gram = scaled(&(columns.tr_mul(columns) - along.tr_mul(&along)), columns);
+        let gram = scaled(&self.own_gram(columns), columns);
         let (mut vectors, roots) = own_directions(&gram);
         for (mut vector, root) in vectors.column_iter_mut().zip(&roots) {
             vector /= *root;
@@ -184,8 +192,7 @@ impl Projection {
     ///
     /// Its price is the dimensions that the records really show, `sum ln(1 + a l_i)`, not all that it could have.
     pub fn smooth_gain(&self, columns: &DMatrix<f64>, looked_at: f64) -> (Gain, f64) {
-        let along = self.basis.tr_mul(columns);
-        let gram = columns.tr_mul(columns) - along.tr_mul(&along);
+        let gram = self.own_gram(columns);
         let slope = columns.tr_mul(&self.residuals);
         let largest = columns.column_iter().map(|column| column.norm_squared()).fold(0.0, f64::max);
         let eigen = nalgebra::SymmetricEigen::new(gram);
@@ -216,7 +223,7 @@ impl Projection {
 
     /// Residuals of other data after all that is free is projected out (what priors hold back left aside).
     pub fn projected(&self, residuals: &DVector<f64>) -> DVector<f64> {
-        residuals - &self.basis * (self.basis.tr_mul(residuals))
+        residuals - &self.basis * (&self.transposed * residuals)
     }
 }
 

@@ -84,9 +84,10 @@ pub fn searched(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec
 
 /// Ranks suspects, the strongest first. Named ones that need numbers which physics does not make believable are left
 /// out.
-pub fn rank<'s>(suspects: &'s [Suspect], projection: &Projection) -> Vec<Ranked<'s>> {
+pub fn rank<'s>(suspects: &[&'s Suspect], projection: &Projection) -> Vec<Ranked<'s>> {
     let mut all: Vec<Ranked<'s>> = suspects
         .par_iter()
+        .copied()
         .filter_map(|suspect| {
             let (gain, evidence) = match &suspect.cause {
                 Cause::Named(candidate) => {

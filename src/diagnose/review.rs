@@ -5,7 +5,7 @@ use crate::identify::problem::NoPose;
 use super::candidate::Candidate;
 use super::evidence::DECIDES;
 use super::projection::Gain;
-use super::rank::{Cause, rank, searched, suspects};
+use super::rank::{Cause, Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
 use super::search::{CLEARLY_MORE, Found};
 
@@ -59,11 +59,10 @@ pub fn review(found: &Found<'_>) -> Result<Vec<Review>, NoPose> {
         let own = &fitted.terms[term];
         let (evidence, projection) = found.evidence_of(&regressors, term);
         let gain = projection.gain(&fitted.columns_of(term));
-        let mut all = Vec::new();
-        if strongest.contains(&term) {
-            all.extend(searched(&regressors, &projection));
-            all.extend(standing.iter().cloned());
-        }
+        let asked = strongest.contains(&term);
+        let fine = if asked { searched(&regressors, &projection) } else { Vec::new() };
+        let coarse: &[Suspect] = if asked { &standing } else { &[] };
+        let all: Vec<&Suspect> = fine.iter().chain(coarse).collect();
         let ranked = rank(&all, &projection);
         let known = |candidate: &Candidate| fitted.terms.iter().any(|known| known.same_as(candidate));
         let better = ranked.iter().find(|other| match &other.suspect.cause {

@@ -34,7 +34,7 @@ const LOW_ORDER: f64 = 3.5;
 /// Standard errors by which held-out records must be nearer to curves than to a list of lines.
 const SURELY_NEARER: f64 = 1.0;
 /// A wave that cannot move all records together by this many standard deviations is left out of projections.
-const NO_MOVEMENT: f64 = 0.1;
+const NO_MOVEMENT: f64 = 0.3;
 /// Parts in which the rows of a regression are summed up side by side.
 const PARTS: usize = 10;
 

@@ -155,13 +155,12 @@ impl<'a> Found<'a> {
         let mut projection = self.projection(&regressors, None);
         let (mut named, mut fresh, mut grown) = (Vec::<Candidate>::new(), Vec::new(), false);
         while self.fitted.terms.len() + named.len() + self.free.len() < MOST_CAUSES {
-            let mut all = searched(&regressors, &projection);
-            let taken = |suspect: &&Suspect| {
+            let fine = searched(&regressors, &projection);
+            let taken = |suspect: &Suspect| {
                 let Some(candidate) = suspect.candidate() else { return true };
                 !named.iter().any(|known| known.same_as(candidate))
             };
-            all.retain(|suspect| taken(&suspect));
-            all.extend(standing.iter().filter(taken).cloned());
+            let all: Vec<&Suspect> = fine.iter().chain(&standing).filter(|suspect| taken(suspect)).collect();
             let names_tell = |function: &Ranked<'_>, named: &[&Ranked<'_>]| {
                 names_tell_it(function, named, &standing, &regressors, &projection)
             };
@@ -196,7 +195,7 @@ impl<'a> Found<'a> {
     fn next(
         &self,
         ground: &Ground<'a>,
-        all: &[Suspect],
+        all: &[&Suspect],
         projection: &Projection,
         (fresh, names_tell): (bool, &NamesTell<'_>),
         random: &mut ChaCha8Rng,
@@ -229,8 +228,13 @@ impl<'a> Found<'a> {
             })
             .take(TRIES)
             .collect();
-        let nameless = |ranked: &&Ranked<'_>| ranked.suspect.candidate().is_none();
-        if let Some(first) = worth.first().copied().filter(nameless).and_then(|function| names_tell(function, &named)) {
+        let in_question = |ranked: &&Ranked<'_>| match &ranked.suspect.cause {
+            Cause::Free(function) => !function.is_of_own_position(),
+            Cause::Named(_) => false,
+        };
+        if let Some(first) =
+            worth.first().copied().filter(in_question).and_then(|function| names_tell(function, &named))
+        {
             worth = vec![named[first]];
         }
         let mut refused: Vec<usize> = Vec::new();
@@ -444,7 +448,8 @@ impl<'a> Found<'a> {
 
 /// The suspects that may still have a case in this look at the residuals; the next look asks all of them again.
 fn not_hopeless(standing: Vec<Suspect>, projection: &Projection) -> Vec<Suspect> {
-    let ranked = rank(&standing, projection);
+    let all: Vec<&Suspect> = standing.iter().collect();
+    let ranked = rank(&all, projection);
     ranked.into_iter().filter(|ranked| ranked.evidence < HOPELESS).map(|ranked| ranked.suspect.clone()).collect()
 }
 

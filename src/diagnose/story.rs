@@ -29,23 +29,24 @@ pub fn names_tell_it(
     regressors: &Regressors<'_, '_>,
     projection: &Projection,
 ) -> Option<usize> {
-    let names: Vec<Suspect> = standing.iter().filter(|suspect| suspect.candidate().is_some()).cloned().collect();
-    let told_from = |first: &Ranked<'_>, by: &[Suspect]| {
+    let everything: Vec<&Suspect> = standing.iter().collect();
+    let names: Vec<&Suspect> = standing.iter().filter(|suspect| suspect.candidate().is_some()).collect();
+    let told_from = |first: &Ranked<'_>, by: &[&Suspect]| {
         first.evidence + told(by, regressors, &projection.with(&first.suspect.columns), MOST_CAUSES - 1)
     };
     let stories = named.iter().take(BEGINNINGS).map(|first| told_from(first, &names)).enumerate();
     let (best, evidence) = stories.min_by(|a, b| a.1.total_cmp(&b.1))?;
     // A story that has not come as far as the other one's beginning need not be compared with its end.
-    (evidence < function.evidence && evidence <= told_from(function, standing)).then_some(best)
+    (evidence < function.evidence && evidence <= told_from(function, &everything)).then_some(best)
 }
 
 /// Evidence, summed up, of the causes that a forward search takes in.
-fn told(standing: &[Suspect], regressors: &Regressors<'_, '_>, projection: &Projection, most: usize) -> f64 {
+fn told(standing: &[&Suspect], regressors: &Regressors<'_, '_>, projection: &Projection, most: usize) -> f64 {
     let mut projection = projection.clone();
     let mut total = 0.0;
     for _ in 0..most {
-        let mut all = searched(regressors, &projection);
-        all.extend(standing.iter().cloned());
+        let fine = searched(regressors, &projection);
+        let all: Vec<&Suspect> = fine.iter().chain(standing.iter().copied()).collect();
         let ranked = rank(&all, &projection);
         let Some(best) = ranked.first().filter(|best| best.evidence < -DECIDES) else { break };
         total += best.evidence;
