@@ -270,17 +270,20 @@ fn stationed() -> ArmModel {
 #[test]
 fn drift_and_step_of_the_base_are_what_a_tracker_sees() {
     let model = stationed();
-    let late = Conditions { time_s: Some(4000.0), ..Conditions::default() };
+    let late = Conditions { time_s: Some(3600.0), ..Conditions::default() };
     let station = Location { frame: Some(MovingFrame::Base), ..nowhere() };
-    // 0.1 um/s along the base's x and 10 nrad/s about its z, for 3600 s since the reference.
+    // 0.1 um/s along the base's x and 10 nrad/s about its z, for an hour.
     let rates = [1e-7, 0.0, 0.0, 0.0, 0.0, 1e-8];
-    let drifted = moved(model.clone(), "drift", Location { reference: Some(400.0), ..station }, &rates, &late);
+    let drifted = moved(model.clone(), "drift", station, &rates, &late);
     let prepared = model.prepared();
     let state = prepared.at(&LEVEL, &late, None).expect("a pose");
     let in_base = state.base_t_flange.transform_point(&Vector3::new(0.1, 0.2, 0.3));
     let expected = Vector3::new(3.6e-4, 0.0, 0.0) + Vector3::new(0.0, 0.0, 3.6e-5).cross(&in_base);
     let seen = model.measuring_t_base.rotation * expected;
     close(drifted, seen.into(), 1e-8);
+    // Levelling off in half an hour: 1800 s (1 - e^-2) of the same rates.
+    let levelled = moved(model.clone(), "drift", Location { reference: Some(1800.0), ..station }, &rates, &late);
+    close(levelled, (seen * (0.5 * (1.0 - (-2.0f64).exp()))).into(), 1e-8);
     // The same as one step: nothing before it, all of it after.
     let step = Location { at_s: Some(1000.0), ..station };
     let values = [3.6e-4, 0.0, 0.0, 0.0, 0.0, 3.6e-5];
