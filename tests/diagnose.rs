@@ -87,8 +87,12 @@ fn diagnosed<'a>(recordings: &'a [Recording], arm: &ArmModel) -> Diagnosis<'a> {
 }
 
 fn trial(seed: u64, concealed: Concealed) -> (Vec<Recording>, ArmModel) {
+    trial_of(160, seed, concealed)
+}
+
+fn trial_of(records: usize, seed: u64, concealed: Concealed) -> (Vec<Recording>, ArmModel) {
     let robot = robot::read(&Source::new("robot.yaml", robot_text())).expect("a robot");
-    let text = recorded(160, seed, concealed);
+    let text = recorded(records, seed, concealed);
     let recording = recording::read(&Source::new("r.csv", text), &robot).expect("a recording");
     (vec![recording], ArmModel::nominal(robot))
 }
@@ -146,4 +150,51 @@ fn what_has_no_name_is_located_and_not_named() {
     let unexplained = found.unexplained.expect("something without a name");
     assert_eq!(unexplained.location().joint, Some(5));
     assert_eq!(unexplained.depends_on(), ["q2", "q4"]);
+}
+
+/// An encoder whose error is no line but a band of them: 40 orders from 5 to 33, closer than a joint's range resolves.
+fn band(angle_rad: f64, amplitude_rad: f64, phase: f64) -> f64 {
+    let line = |k: u32| ((5.0 + 0.7 * f64::from(k)) * angle_rad + phase * f64::from(k * k)).sin();
+    amplitude_rad * (0..40).map(line).sum::<f64>()
+}
+
+#[test]
+fn a_joint_of_many_lines_gets_one_curve_and_one_name() {
+    let (recordings, arm) = trial_of(300, 8, |q, _| {
+        let mut extra = [0.0; 6];
+        extra[1] = band(q[1], 4e-5, 1.1);
+        extra[2] = band(q[2], 4e-5, 2.3);
+        extra
+    });
+    let found = diagnosed(&recordings, &arm);
+    let named: Vec<_> = found.findings.iter().map(|finding| &finding.instance).collect();
+    assert!(named.iter().all(|one| one.effect.meta().id == "joint_periodic"), "{named:?}");
+    let mut joints: Vec<Option<usize>> = named.iter().map(|one| one.location.joint).collect();
+    joints.sort_unstable();
+    assert_eq!(joints, [Some(2), Some(3)]);
+    assert!(found.estimate.fit.state.model.learner.is_some(), "a list of lines instead of curves");
+    for finding in &found.findings {
+        let order = finding.instance.location.order.expect("its strongest line");
+        assert!((4.0..35.0).contains(&order), "{order}");
+        // The root mean square of such a sum is the root of half the sum of squares.
+        let rms = finding.values.iter().find(|value| value.name == "rms_of_all_orders").expect("its size");
+        assert!((rms.value / (4e-5 * 20f64.sqrt()) - 1.0).abs() < 0.25, "{rms:?}");
+    }
+    assert!(found.after.held_out_rms_mm < 0.6 * found.before.held_out_rms_mm);
+}
+
+#[test]
+fn what_would_not_show_is_told() {
+    let (recordings, arm) = trial(5, |_, _| [0.0; 6]);
+    let found = diagnosed(&recordings, &arm);
+    let limit = found.next_measurements.iter().find(|advice| advice.why.contains("mrad")).expect("a limit");
+    let of_first: f64 = limit
+        .why
+        .split("J1 ")
+        .nth(1)
+        .and_then(|text| text.split(',').next())
+        .expect("joint 1")
+        .parse()
+        .expect("a number");
+    assert!((0.005..0.2).contains(&of_first), "{}", limit.why);
 }
