@@ -13,7 +13,7 @@ pub enum EditError {
     #[error("two edits overlap at bytes {}..{}", .0.start, .0.end)]
     Overlap(Span),
     /// The range does not lie in the file.
-    #[error("an edit at bytes {}..{} lies outside a file of {length} bytes", .span.start, .span.end)]
+    #[error("an edit at bytes {}..{} is too large or lies outside a file of {length} bytes", .span.start, .span.end)]
     Outside {
         /// The range asked for.
         span: Span,
@@ -28,25 +28,28 @@ pub struct EditSet {
     edits: Vec<Edit>,
     /// All that comes, one after the other: programs have millions of edits of a few bytes.
     text: Vec<u8>,
-    /// An edit that cannot be kept, in a file larger than any program.
+    /// An edit that cannot be kept: in a file larger than any program, or of more bytes than any number has.
     too_far: Option<Span>,
 }
 
-/// One replacement; no `length` inserts.
+/// One replacement; no `length` inserts. Numbers are short: their lengths are kept in two bytes.
 #[derive(Clone, Copy, Debug)]
 struct Edit {
     start: u32,
-    length: u32,
-    /// Where the bytes that come begin in [`EditSet::text`], and how many they are.
+    /// Where the bytes that come begin in [`EditSet::text`].
     text: u32,
-    text_length: u32,
+    length: u16,
+    text_length: u16,
 }
 
 impl Edit {
     fn new(span: Span, text: usize, text_length: usize) -> Option<Self> {
-        let [start, length, text, text_length] =
-            [span.start, span.len(), text, text_length].map(|number| u32::try_from(number).ok());
-        Some(Self { start: start?, length: length?, text: text?, text_length: text_length? })
+        Some(Self {
+            start: u32::try_from(span.start).ok()?,
+            text: u32::try_from(text).ok()?,
+            length: u16::try_from(span.len()).ok()?,
+            text_length: u16::try_from(text_length).ok()?,
+        })
     }
 
     /// The bytes that go.
