@@ -89,8 +89,6 @@ pub fn free_functions(regressors: &Regressors<'_, '_>) -> Vec<FreeFunction> {
     for seat in [Seat::Base, Seat::Tool] {
         all.extend([Variable::Time, Variable::Temperature].map(|v| FreeFunction { seat, variables: vec![v] }));
     }
-    // A foundation, a first axis, or the measuring instrument itself: what moves the whole arm as it swings round.
-    all.push(FreeFunction { seat: Seat::Base, variables: vec![Variable::Position(0)] });
     all.retain(|function| function.variables.iter().all(|&variable| varies(variable)));
     all
 }
