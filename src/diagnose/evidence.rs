@@ -30,6 +30,13 @@ pub fn looked_at(places: f64) -> f64 {
     (EFFECTS.len() as f64 + 1.0) * places.max(1.0)
 }
 
+/// What a candidate that was taken in costs for its numbers and for having been looked for among others, on the scale of
+/// [`penalised`].
+pub fn price(candidate: &Candidate, rows: f64) -> f64 {
+    let numbers: usize = candidate.instances.iter().map(|one| one.effect.meta().parameters.len()).sum();
+    (numbers + candidate.chosen_constants) as f64 * rows.ln() + 2.0 * looked_at(candidate.places).ln()
+}
+
 /// Evidence for a candidate from its score step.
 pub fn of_candidate(candidate: &Candidate, gain: &Gain, cost: f64, rows: usize) -> f64 {
     let fitted = gain.rank + candidate.chosen_constants;

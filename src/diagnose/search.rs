@@ -60,6 +60,8 @@ pub struct Found<'a> {
     pub fitted: Fitted<'a>,
     /// Unnamed ones: linear only, in no model.
     pub free: Vec<FreeFunction>,
+    /// True where none without a name are looked for.
+    pub names_only: bool,
     /// The blocks of held-out figures.
     pub blocks: Blocks,
     /// Sum of squares without any cause over the records searched, m^2.
@@ -98,19 +100,12 @@ pub fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u6
     let blocks = Blocks::new(&ground.problem, kind, seed);
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let bare_m2 = bare.estimate.fit.cost * bare.estimate.spread.sigma_m.powi(2);
-    let mut found = Found { fitted: bare, free: Vec::new(), blocks, bare_m2, reviews: Vec::new() };
+    let mut found = Found { fitted: bare, free: Vec::new(), names_only: false, blocks, bare_m2, reviews: Vec::new() };
     let mut exchanges = 0;
-    let mut seen = vec![found.names()];
     loop {
-        while found.fitted.terms.len() + found.free.len() < MOST_CAUSES && found.add_some(ground, &mut random)? {
-            found.tune(ground)?;
-            found.drop_idle(ground)?;
-            // What looks worth taking in at first order may be idle once refitted, and look worth it again.
-            let now = found.names();
-            if seen.contains(&now) || seen.len() > MOST_ROUNDS {
-                break;
-            }
-            seen.push(now);
+        found.add_all(ground, &mut random)?;
+        if let Some(named) = found.in_names_alone(ground, &mut random)? {
+            found = named;
         }
         simplify(&mut found, ground)?;
         found.reviews = review(&found)?;
@@ -145,6 +140,53 @@ impl<'a> Found<'a> {
         let mut names: Vec<String> = named.chain(free).collect();
         names.sort_unstable();
         names
+    }
+
+    /// Takes in what the residuals show until they show nothing more.
+    fn add_all(&mut self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<(), NoPose> {
+        let mut seen = vec![self.names()];
+        while self.fitted.terms.len() + self.free.len() < MOST_CAUSES && self.add_some(ground, random)? {
+            self.tune(ground)?;
+            self.drop_idle(ground)?;
+            // What looks worth taking in at first order may be idle once refitted, and look worth it again.
+            let now = self.names();
+            if seen.contains(&now) || seen.len() > MOST_ROUNDS {
+                break;
+            }
+            seen.push(now);
+        }
+        Ok(())
+    }
+
+    /// What was found told again without what has no name, where names alone tell it as well: a function that was taken in
+    /// early may stand in the place of names that the rest has made visible since.
+    fn in_names_alone(&self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<Option<Self>, NoPose> {
+        if self.free.is_empty() || self.free.iter().any(FreeFunction::is_of_own_position) {
+            return Ok(None);
+        }
+        let mut named = Self { free: Vec::new(), names_only: true, ..self.clone() };
+        named.add_all(ground, random)?;
+        named.names_only = false;
+        let (fit, _) = ground.fit_like(&self.fitted, &named.fitted.terms)?;
+        let (rows, cost) = (fit.residuals.len() as f64, self.fitted.estimate.fit.cost);
+        let price = |found: &Self| found.fitted.terms.iter().map(|term| evidence::price(term, rows)).sum::<f64>();
+        let without_names = rows * (fit.cost / cost).ln() + price(&named) - price(self);
+        Ok((without_names <= self.evidence_of_free()?).then_some(named))
+    }
+
+    /// Evidence, summed up, of what has no name, beyond the names.
+    fn evidence_of_free(&self) -> Result<f64, NoPose> {
+        let estimate = &self.fitted.estimate;
+        let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
+        let looked_at = evidence::looked_at(super::free::free_functions(&regressors).len() as f64);
+        let mut projection = self.fitted.projection(None);
+        let mut total = 0.0;
+        for function in &self.free {
+            let columns = function.columns(&regressors);
+            total += projection.smooth_gain(&columns, looked_at).1;
+            projection = projection.with(&columns);
+        }
+        Ok(total)
     }
 
     /// Takes in what the residuals show; false when they show nothing more.
@@ -221,7 +263,8 @@ impl<'a> Found<'a> {
             .filter(sound)
             .filter(|ranked| match &ranked.suspect.cause {
                 Cause::Free(function) => {
-                    ranked.gain.explained > CLEARLY_MORE * best_named.max(self.named_at(function))
+                    !self.names_only
+                        && ranked.gain.explained > CLEARLY_MORE * best_named.max(self.named_at(function))
                         && !has_a_name(function, ranked.gain.explained)
                 }
                 Cause::Named(_) => true,

@@ -8,7 +8,7 @@ use crate::identify::problem::NoPose;
 use crate::model::effect::Place;
 
 use super::candidate::Candidate;
-use super::evidence::looked_at;
+use super::evidence::price;
 use super::fitted::Ground;
 use super::search::Found;
 
@@ -43,10 +43,9 @@ fn without<'a>(found: &Found<'a>, ground: &Ground<'a>, term: usize) -> Result<Op
     let mut simpler = Found { fitted: ground.refit(fitted, &terms, &[])?, ..found.clone() };
     simpler.tune(ground)?;
     let (fit, _) = ground.fit_like(fitted, &simpler.fitted.terms)?;
-    let (rows, numbers) = (fit.residuals.len() as f64, fitted.spans[term].len() + cause.chosen_constants);
-    let price = numbers as f64 * rows.ln() + 2.0 * looked_at(cause.places).ln();
+    let rows = fit.residuals.len() as f64;
     let worse = rows * (fit.cost / fitted.estimate.fit.cost).ln();
-    Ok((worse < price).then_some(simpler))
+    Ok((worse < price(cause, rows)).then_some(simpler))
 }
 
 /// True for a cause whose law has a constant that was searched for.
