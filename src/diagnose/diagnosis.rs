@@ -17,12 +17,13 @@ use super::advice::{Advice, next_measurements};
 use super::baseline::baseline;
 use super::evidence;
 use super::fitted::{Fitted, Ground};
+use super::found::Found;
 use super::free::{FreeFunction, Seat};
 use super::hold_out::{Blocks, held_out_squares_m2, rms_mm};
 use super::left_over::left_over;
 use super::regressors::Regressors;
 use super::ripple::{JointRipple, with_curves};
-use super::search::{Found, search_from};
+use super::search::search_from;
 use super::stability::stability;
 
 /// The answer in a word.

@@ -8,8 +8,8 @@ use crate::measure::observation::Observation;
 use crate::measure::repeats::repeatability;
 
 use super::baseline::Baseline;
+use super::found::Found;
 use super::regressors::Regressors;
-use super::search::Found;
 
 /// Standard deviations per axis, m.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,10 +4,10 @@ use crate::identify::problem::NoPose;
 
 use super::candidate::Candidate;
 use super::evidence::DECIDES;
+use super::found::{CLEARLY_MORE, Found};
 use super::projection::Gain;
 use super::rank::{Cause, Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
-use super::search::{CLEARLY_MORE, Found};
 
 /// What is known of a named cause, all others modelled.
 #[derive(Clone, Debug)]

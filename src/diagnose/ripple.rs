@@ -22,9 +22,10 @@ use crate::measure::recording::Kind;
 
 use super::evidence::{self, DECIDES, SMALLEST_PART};
 use super::fitted::{Fitted, Ground};
+use super::found::Found;
 use super::hold_out::{fall_in_errors, held_out_squares_m2};
 use super::projection::Projection;
-use super::search::{Found, search_in};
+use super::search::search_in;
 use super::spectrum::{Line, strongest_line};
 
 /// Lines of one joint that make it worth asking for a curve.

@@ -10,7 +10,7 @@ use crate::model::effect::Place;
 use super::candidate::Candidate;
 use super::evidence::price;
 use super::fitted::Ground;
-use super::search::Found;
+use super::found::Found;
 
 /// Takes out every cause whose neighbours, their constants searched for again, make it needless; true when one was.
 ///

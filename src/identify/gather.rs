@@ -83,6 +83,7 @@ pub fn gather<'a>(model: &ArmModel, recordings: &'a [Recording]) -> Gathered<'a>
     }
     gathered
 }
+
 /// The records as a fit takes them; true when their sigmas are stated, in them or by `sigma_m` for all that state none.
 pub fn problem_of<'a>(
     entries: &[Entry<'a>],

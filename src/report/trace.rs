@@ -15,6 +15,7 @@ use crate::identify::state::{State, Station};
 use crate::measure::observation::Observation;
 use crate::model::arm::EffectInstance;
 use crate::model::effect::Location;
+use crate::model::learner::Learner;
 
 /// A cloud of points for a plot. Empty where the model cannot place the records.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -112,15 +113,22 @@ fn finished(parts: &[Part<'_>], points: Vec<Point>, variable: Option<Variable>, 
     }
 }
 
-/// The state without one of its effects; `None` where it does not hold the effect.
+/// The state without one of its effects, or without the curve that a joint of many lines has in their place; `None` where it
+/// holds neither.
 fn state_without(state: &State, instance: &EffectInstance) -> Option<State> {
     let same = |other: &EffectInstance| {
         other.effect.meta().id == instance.effect.meta().id && other.location == instance.location
     };
-    let index = state.model.effects.iter().position(same)?;
     let mut without = state.clone();
-    without.model.parameters.effects.get_mut(index)?.fill(0.0);
-    Some(without)
+    if let Some(index) = state.model.effects.iter().position(same) {
+        without.model.parameters.effects.get_mut(index)?.fill(0.0);
+        return Some(without);
+    }
+    let joint = instance.location.joint?;
+    let Some(Learner::Curves(curves)) = &mut without.model.learner else { return None };
+    let before = curves.curves.len();
+    curves.curves.retain(|curve| curve.turns != joint);
+    (curves.curves.len() < before).then_some(without)
 }
 
 fn variable_of(id: &str, at: &Location, records: &[Record<'_>]) -> Option<Variable> {
