@@ -95,7 +95,7 @@ fn between_rivals(finding: &Finding, problem: &Problem<'_>, levers: &Levers) -> 
             "{name} at the {here} and {} at the {} explain these records equally well",
             rival.effect, rival.location
         ),
-        what: format!("{}{}", separating(name, rival.effect), records_for(here, problem, levers)),
+        what: format!("{}{}", finding.instance.effect.meta().told_apart_by, records_for(here, problem, levers)),
     };
     finding.alternatives.iter().map(of_rival).collect()
 }
@@ -179,28 +179,4 @@ fn below_the_limit(diagnosis: &Diagnosis<'_>, levers: &Levers) -> Option<Advice>
                8 deg, all else still, shows what is finer"
                 .into(),
     })
-}
-
-/// The measurement that tells two effects apart.
-fn separating(one: &str, other: &str) -> String {
-    let either = |id: &str| one == id || other == id;
-    let text = if either("backlash") && either("friction_windup") {
-        "stop at 10 poses from both sides of that joint, five with its axis tilted so that gravity loads it (or push the \
-         arm by hand): play then takes the side of the load, wind-up stays with the approach"
-    } else if either("drift") || either("step_shift") || either("thermal_growth") {
-        "measure three control poses every 25 records, one of them with the arm folded, and a reflector on the base"
-    } else if either("base_compliance") {
-        "put a reflector on the base and measure it with the arm stretched out in four directions"
-    } else if either("payload_error") || either("joint_compliance") || either("joint_stiffening") {
-        "15 poses twice, with the full payload and with none"
-    } else if either("gravity_tilt") {
-        "level the base or measure it with an inclinometer; 12 poses stretched out, every 30 deg of joint 1"
-    } else if either("joint_periodic") || either("gear_ratio") || either("joint_coupling") {
-        "turn that joint alone through its whole range in 72 stops, once with payload and once without"
-    } else if either("servo_lag") || either("time_offset") || either("inertial_deflection") {
-        "the same path at half and at full speed, and back again"
-    } else {
-        "the same poses with another payload, from the other side, and in another order"
-    };
-    text.into()
 }

@@ -14,7 +14,7 @@ use crate::identify::problem::{Record, expected_pose};
 use crate::identify::state::{State, Station};
 use crate::measure::observation::Observation;
 use crate::model::arm::EffectInstance;
-use crate::model::effect::Location;
+use crate::model::effect::{Follows, Location};
 use crate::model::learner::Learner;
 
 /// A cloud of points for a plot. Empty where the model cannot place the records.
@@ -50,12 +50,12 @@ const SHORT_LEVER: f64 = 0.3;
 pub fn trace(estimate: &Estimate<'_>, instance: &EffectInstance) -> Trace {
     let state = &estimate.fit.state;
     let Some(without) = state_without(state, instance) else { return Trace::default() };
-    let id = instance.effect.meta().id;
+    let meta = instance.effect.meta();
     // `None`: nothing single; then it is drawn against what the finding itself says of each coordinate.
-    let variable = variable_of(id, &instance.location, &estimate.problem.records);
-    let at_joint = turns_its_joint(id).then(|| instance.location.joint_index()).flatten();
+    let variable = variable_of(meta.follows, &instance.location, &estimate.problem.records);
+    let at_joint = meta.place.turns_its_joint().then(|| instance.location.joint_index()).flatten();
     let parts = parts(estimate, &without, at_joint);
-    let senses = instance.effect.meta().needs.approach.then(|| instance.location.joint_index()).flatten();
+    let senses = meta.needs.approach.then(|| instance.location.joint_index()).flatten();
     let mut points = match (at_joint, variable) {
         (Some(_), _) => angles(&parts),
         (None, None) => coordinates(&parts),
@@ -131,36 +131,19 @@ fn state_without(state: &State, instance: &EffectInstance) -> Option<State> {
     (curves.curves.len() < before).then_some(without)
 }
 
-fn variable_of(id: &str, at: &Location, records: &[Record<'_>]) -> Option<Variable> {
+fn variable_of(follows: Follows, at: &Location, records: &[Record<'_>]) -> Option<Variable> {
     let joint = at.joint_index().unwrap_or(0);
     let warm = records.iter().any(|record| record.observation.conditions.temperature_c.is_some());
-    Some(match id {
-        "joint_compliance" | "joint_stiffening" => Variable::Torque(joint),
-        "servo_lag" => Variable::Speed(joint),
-        "inertial_deflection" => Variable::Acceleration(joint),
-        "joint_coupling" => Variable::Position(at.source_index().unwrap_or(joint)),
-        "thermal_growth" if warm => Variable::Temperature,
-        "thermal_growth" | "drift" | "step_shift" => Variable::Time,
-        _ if turns_its_joint(id) => Variable::Position(joint),
-        _ => return None,
+    Some(match follows {
+        Follows::OwnPosition => Variable::Position(joint),
+        Follows::SourcePosition => Variable::Position(at.source_index().unwrap_or(joint)),
+        Follows::OwnTorque => Variable::Torque(joint),
+        Follows::OwnSpeed => Variable::Speed(joint),
+        Follows::OwnAcceleration => Variable::Acceleration(joint),
+        Follows::Warmth if warm => Variable::Temperature,
+        Follows::Warmth | Follows::Time => Variable::Time,
+        Follows::Several => return None,
     })
-}
-
-/// True for effects that are an error of a joint's angle.
-fn turns_its_joint(id: &str) -> bool {
-    matches!(
-        id,
-        "joint_compliance"
-            | "joint_stiffening"
-            | "backlash"
-            | "friction_windup"
-            | "joint_periodic"
-            | "gear_ratio"
-            | "joint_coupling"
-            | "gravity_compensator"
-            | "servo_lag"
-            | "inertial_deflection"
-    )
 }
 
 fn words(variable: Option<Variable>) -> String {

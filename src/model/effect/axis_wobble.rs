@@ -14,7 +14,7 @@ use num_dual::DualNum;
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct AxisWobble;
@@ -34,6 +34,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs::NOTHING,
     signature: "movement along the joint's own axis that repeats twice a turn or more often",
     mistaken_for: &["base_compliance", "joint_periodic"],
+    follows: Follows::Several,
+    told_apart_by: "turn that joint alone through its whole range in 72 stops, the arm stretched out, then folded",
 };
 
 impl Physics for AxisWobble {

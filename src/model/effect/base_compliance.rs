@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct BaseCompliance;
@@ -29,6 +29,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { gravity_model: true, ..Needs::NOTHING },
     signature: "the whole arm tilts about its foot in proportion to the overturning moment",
     mistaken_for: &["joint_compliance", "link_flexibility", "gravity_tilt", "axis_wobble"],
+    follows: Follows::Several,
+    told_apart_by: "put a reflector on the base and measure it with the arm stretched out in four directions",
 };
 
 impl Physics for BaseCompliance {

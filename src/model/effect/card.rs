@@ -51,6 +51,27 @@ impl Needs {
     }
 }
 
+/// The variable that an effect's error is a function of: what a plot shows it against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Follows {
+    /// Its joint's position.
+    OwnPosition,
+    /// The position of the joint that it comes from.
+    SourcePosition,
+    /// Its joint's load torque.
+    OwnTorque,
+    /// Its joint's speed.
+    OwnSpeed,
+    /// Its joint's acceleration.
+    OwnAcceleration,
+    /// Time.
+    Time,
+    /// Temperature, or time where no temperature is known.
+    Warmth,
+    /// More than one, or none that can be named.
+    Several,
+}
+
 /// The name card of an effect.
 #[derive(Clone, Copy, Debug)]
 pub struct EffectMeta {
@@ -68,4 +89,8 @@ pub struct EffectMeta {
     pub signature: &'static str,
     /// Ids of the effects that a recording can confuse it with, the likeliest first.
     pub mistaken_for: &'static [&'static str],
+    /// The variable that its error is a function of.
+    pub follows: Follows,
+    /// The measurement that tells it from those: what to do.
+    pub told_apart_by: &'static str,
 }

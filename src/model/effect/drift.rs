@@ -12,7 +12,7 @@
 use crate::geometry::real::Real;
 use crate::model::parameters::Displacement;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct Drift;
@@ -35,6 +35,9 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { time: true, ..Needs::NOTHING },
     signature: "grows with time, steadily or until it levels off, the same for every joint position",
     mistaken_for: &["thermal_growth", "step_shift"],
+    follows: Follows::Time,
+    told_apart_by: "three control poses every 25 records, one of them with the arm folded, and a reflector on the base \
+        three control poses every 25 records, one of them with the arm folded, and a reflector on the base",
 };
 
 impl Physics for Drift {

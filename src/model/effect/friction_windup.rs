@@ -8,7 +8,7 @@
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct FrictionWindup;
@@ -21,6 +21,9 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { approach: true, ..Needs::NOTHING },
     signature: "two levels by the sense of approach, whatever the load",
     mistaken_for: &["backlash", "servo_lag", "time_offset"],
+    follows: Follows::OwnPosition,
+    told_apart_by: "stop at 10 poses from both sides of that joint, five with its axis tilted so that gravity loads it \
+        (or push the arm by hand): play then takes the side of the load, wind-up stays with the approach",
 };
 
 impl Physics for FrictionWindup {

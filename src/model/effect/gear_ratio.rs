@@ -8,7 +8,7 @@
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct GearRatio;
@@ -21,6 +21,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs::NOTHING,
     signature: "a straight line in the joint's own position",
     mistaken_for: &["joint_periodic", "joint_coupling", "gravity_compensator"],
+    follows: Follows::OwnPosition,
+    told_apart_by: "turn that joint alone through its whole range in 72 stops, once with payload and once without",
 };
 
 impl Physics for GearRatio {

@@ -13,7 +13,7 @@ use crate::geometry::pose::rotation_from_vector;
 use crate::geometry::real::Real;
 use crate::model::statics::Load;
 
-use super::{EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Setting};
+use super::{EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Setting};
 
 /// See the module.
 pub struct GravityTilt;
@@ -30,6 +30,9 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { gravity_model: true, ..Needs::NOTHING },
     signature: "load torques change once a turn of joint 1",
     mistaken_for: &["payload_error", "base_compliance", "joint_compliance"],
+    follows: Follows::Several,
+    told_apart_by: "level the base or measure it with an inclinometer; 12 poses stretched out, every 30 deg of joint 1 \
+        level the base or measure it with an inclinometer; 12 poses stretched out, every 30 deg of joint 1",
 };
 
 impl Physics for GravityTilt {

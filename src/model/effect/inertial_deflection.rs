@@ -11,7 +11,7 @@ use crate::geometry::real::Real;
 use crate::model::inertia::inertial_torque;
 use crate::model::linkage::{actuators_from_numbers, row_rates};
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct InertialDeflection;
@@ -24,6 +24,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { gravity_model: true, speed: true, acceleration: true, ..Needs::NOTHING },
     signature: "one joint against the torque that accelerates what it carries",
     mistaken_for: &["servo_lag", "time_offset", "joint_compliance"],
+    follows: Follows::OwnAcceleration,
+    told_apart_by: "the same path at half and at full speed, and back again",
 };
 
 impl Physics for InertialDeflection {

@@ -9,7 +9,7 @@
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct JointCompliance;
@@ -35,6 +35,8 @@ static META: EffectMeta = EffectMeta {
         "gravity_compensator",
         "joint_periodic",
     ],
+    follows: Follows::OwnTorque,
+    told_apart_by: "15 poses twice, with the full payload and with none",
 };
 
 impl Physics for JointCompliance {

@@ -12,7 +12,7 @@ use num_dual::DualNum;
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct JointPeriodic;
@@ -28,6 +28,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs::NOTHING,
     signature: "repeats exactly with the joint's own angle, under any load and from either side",
     mistaken_for: &["gravity_compensator", "joint_compliance", "gear_ratio", "axis_wobble"],
+    follows: Follows::OwnPosition,
+    told_apart_by: "turn that joint alone through its whole range in 72 stops, once with payload and once without",
 };
 
 impl Physics for JointPeriodic {

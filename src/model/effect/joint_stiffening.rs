@@ -16,7 +16,7 @@
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct JointStiffening;
@@ -29,6 +29,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { gravity_model: true, ..Needs::NOTHING },
     signature: "an odd, bent function of the joint's load torque beyond the straight line",
     mistaken_for: &["joint_compliance", "backlash", "gravity_compensator", "payload_error"],
+    follows: Follows::OwnTorque,
+    told_apart_by: "15 poses twice, with the full payload and with none",
 };
 
 impl Physics for JointStiffening {

@@ -20,7 +20,7 @@ use nalgebra::Vector3;
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct LinkFlexibility;
@@ -37,6 +37,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { gravity_model: true, ..Needs::NOTHING },
     signature: "shift and turn of a link's far end with the force and moment there, sideways too",
     mistaken_for: &["joint_compliance", "base_compliance", "payload_error", "joint_stiffening"],
+    follows: Follows::Several,
+    told_apart_by: "15 poses twice, with the full payload and with none",
 };
 
 /// Length, m, below which a link is no beam.

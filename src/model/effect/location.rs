@@ -137,6 +137,11 @@ impl Place {
         }
     }
 
+    /// True where an effect is an error of its joint's angle.
+    pub fn turns_its_joint(self) -> bool {
+        matches!(self, Place::Joint | Place::JointOrder | Place::JointPair)
+    }
+
     /// A field that a location may have beside these.
     fn may_have(self, field: &str) -> bool {
         self == Place::JointOwnOrder && field == "order"

@@ -36,7 +36,7 @@ mod step_shift;
 mod thermal_growth;
 mod time_offset;
 
-pub use card::{EffectMeta, Needs, ParameterMeta};
+pub use card::{EffectMeta, Follows, Needs, ParameterMeta};
 pub use location::{Location, MovingFrame, Place};
 pub use response::Response;
 

@@ -16,7 +16,7 @@ use nalgebra::Vector3;
 use crate::geometry::real::Real;
 use crate::model::statics::Load;
 
-use super::{EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Setting};
+use super::{EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Setting};
 
 /// See the module.
 pub struct PayloadError;
@@ -38,6 +38,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { gravity_model: true, ..Needs::NOTHING },
     signature: "every soft joint gives way as to a further load at the flange",
     mistaken_for: &["joint_compliance", "gravity_tilt", "link_flexibility", "base_compliance"],
+    follows: Follows::Several,
+    told_apart_by: "15 poses twice, with the full payload and with none",
 };
 
 impl Physics for PayloadError {

@@ -9,7 +9,7 @@
 use crate::geometry::real::Real;
 use crate::model::linkage::actuators_from_numbers;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct ServoLag;
@@ -22,6 +22,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { speed: true, ..Needs::NOTHING },
     signature: "one joint in proportion to its own speed",
     mistaken_for: &["time_offset", "friction_windup", "backlash", "inertial_deflection"],
+    follows: Follows::OwnSpeed,
+    told_apart_by: "the same path at half and at full speed, and back again",
 };
 
 impl Physics for ServoLag {

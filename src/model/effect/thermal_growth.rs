@@ -13,7 +13,7 @@
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct ThermalGrowth;
@@ -34,6 +34,9 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { warmth: true, ..Needs::NOTHING },
     signature: "one length follows temperature or warm-up time",
     mistaken_for: &["drift", "step_shift"],
+    follows: Follows::Warmth,
+    told_apart_by: "three control poses every 25 records, one of them with the arm folded, and a reflector on the base \
+        three control poses every 25 records, one of them with the arm folded, and a reflector on the base",
 };
 
 impl Physics for ThermalGrowth {

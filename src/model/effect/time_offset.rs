@@ -10,7 +10,7 @@ use crate::geometry::real::Real;
 use crate::model::linkage::actuators_from_numbers;
 use crate::model::robot::DOF;
 
-use super::{Context, EffectMeta, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct TimeOffset;
@@ -23,6 +23,8 @@ static META: EffectMeta = EffectMeta {
     needs: Needs { speed: true, ..Needs::NOTHING },
     signature: "all joints at once in proportion to their speeds",
     mistaken_for: &["servo_lag", "friction_windup", "backlash"],
+    follows: Follows::Several,
+    told_apart_by: "the same path at half and at full speed, and back again",
 };
 
 impl Physics for TimeOffset {
