@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::identify::estimate::{estimate, root_mean_square};
 use crate::identify::problem::{NoPose, Problem};
 use crate::identify::state::State;
 use crate::identify::unknown::Unknown;
@@ -151,7 +152,7 @@ pub fn with_curves<'a>(
     // Curves and causes were found in turn: now together, on all records.
     let terms = found.fitted.terms.clone();
     let with_terms = ground.fit(&terms)?;
-    let Some(together) = relearned(ground, &with_terms, &joints)? else { return Ok(None) };
+    let Some(together) = relearned(&with_terms, &joints)? else { return Ok(None) };
     found.fitted = together;
     found.bare_m2 = lines.bare_m2;
     if searched.is_some() {
@@ -182,17 +183,36 @@ fn telling_joints(fitted: &Fitted<'_>) -> Vec<usize> {
 /// A ground whose state holds curves of these joints.
 fn curved<'a>(ground: &Ground<'a>, joints: &[usize]) -> Result<Option<Ground<'a>>, NoPose> {
     let learned = learned(&ground.problem, &ground.state, &ground.unknowns, joints)?;
-    Ok(learned.map(|(state, ripple)| Ground { state, ripple: Some(Arc::new(ripple)), ..ground.clone() }))
+    Ok(learned.map(|Learned { state, ripple, .. }| Ground { state, ripple: Some(Arc::new(ripple)), ..ground.clone() }))
 }
 
 /// A fit with its curves learned beside its causes.
-fn relearned<'a>(ground: &Ground<'a>, fitted: &Fitted<'a>, joints: &[usize]) -> Result<Option<Fitted<'a>>, NoPose> {
-    let fit = &fitted.estimate.fit;
-    let Some((state, ripple)) = learned(&fitted.estimate.problem, &fit.state, &fit.unknowns, joints)? else {
+fn relearned<'a>(fitted: &Fitted<'a>, joints: &[usize]) -> Result<Option<Fitted<'a>>, NoPose> {
+    let before = &fitted.estimate;
+    let Some(learned) = learned(&before.problem, &before.fit.state, &before.fit.unknowns, joints)? else {
         return Ok(None);
     };
-    let estimate = crate::identify::estimate::estimate(ground.problem.clone(), state, &fit.unknowns, ground.stated)?;
-    Ok(Some(Fitted { estimate, ripple: Some(Arc::new(ripple)), ..fitted.clone() }))
+    // What is left is less than the noise by what the curves took of it: the regression knows how much that is, the fit beside
+    // fixed curves does not.
+    let mut problem = before.problem.clone();
+    for record in &mut problem.records {
+        record.sigma_m *= learned.noise_scale;
+    }
+    let sigma_m = root_mean_square(problem.records.iter().map(|record| record.sigma_m));
+    let mut estimate = estimate(problem, learned.state, &before.fit.unknowns, true)?;
+    estimate.scale *= before.scale * learned.noise_scale;
+    (estimate.spread.sigma_m, estimate.spread.freedom) = (sigma_m, learned.freedom);
+    Ok(Some(Fitted { estimate, ripple: Some(Arc::new(learned.ripple)), ..fitted.clone() }))
+}
+
+/// Curves with the state that holds them.
+struct Learned {
+    state: State,
+    ripple: Ripple,
+    /// Factor on the records' sigmas that gives the noise which the curves leave.
+    noise_scale: f64,
+    /// Degrees of freedom behind that.
+    freedom: f64,
 }
 
 /// Learns curves of these joints beside all that is free; `None` where there is nothing to learn.
@@ -201,7 +221,7 @@ fn learned(
     state: &State,
     unknowns: &[Unknown],
     joints: &[usize],
-) -> Result<Option<(State, Ripple)>, NoPose> {
+) -> Result<Option<Learned>, NoPose> {
     let mut plain = state.clone();
     plain.model.learner = None;
     let samples = Samples::new(problem, &plain, unknowns)?;
@@ -219,7 +239,12 @@ fn learned(
     moved.model.learner = Some(curves.into());
     let sigmas_m: Vec<f64> = problem.records.iter().map(|record| record.sigma_m).collect();
     calibrate_uncertainty(problem, &mut moved, error_of_terms_m2(&regression, &fitted, &sigmas_m))?;
-    Ok(Some((moved, ripple(&regression, &fitted, &problem.whitening()))))
+    Ok(Some(Learned {
+        state: moved,
+        ripple: ripple(&regression, &fitted, &problem.whitening()),
+        noise_scale: fitted.variances.noise.sqrt(),
+        freedom: (samples.missing.len() as f64 - fitted.posterior.determined).max(1.0),
+    }))
 }
 
 fn ripple(regression: &Regression<'_>, fitted: &Regressed, whitening: &DVector<f64>) -> Ripple {
@@ -239,7 +264,7 @@ fn ripple(regression: &Regression<'_>, fitted: &Regressed, whitening: &DVector<f
         let at: Vec<f64> = everything.iter().map(|&record| term.input(regression.samples, record).0).collect();
         JointRipple {
             joint: term.turns,
-            rms_rad: root_mean_square(term, &at, &weights, &root),
+            rms_rad: size_over_records(term, &at, &weights, &root),
             line: strongest_line(term, &at, &weights, &root),
             columns_m,
             sigmas: sigmas[span].to_vec(),
@@ -250,7 +275,7 @@ fn ripple(regression: &Regression<'_>, fitted: &Regressed, whitening: &DVector<f
 }
 
 /// Root mean square of a sum of waves at these angles, its mean taken off, with its standard uncertainty (to first order).
-fn root_mean_square(term: &Term, at: &[f64], weights: &DVector<f64>, root: &DMatrix<f64>) -> [f64; 2] {
+fn size_over_records(term: &Term, at: &[f64], weights: &DVector<f64>, root: &DMatrix<f64>) -> [f64; 2] {
     let mut waves = DMatrix::zeros(at.len(), term.columns);
     let mut row = vec![0.0; term.columns];
     for (index, &x) in at.iter().enumerate() {
