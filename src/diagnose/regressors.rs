@@ -19,6 +19,8 @@ use super::candidate::Candidate;
 const STEP: f64 = 1e-6;
 /// The same for effects that change loads or move links: large enough for the equilibrium to be settled beside it.
 const DIFFERENCE: f64 = 0.1;
+/// The smallest such part that is tried.
+const SMALLEST_DIFFERENCE: f64 = 1e-4;
 /// Turn or shift, rad or m, by which levers are found.
 const MOVED: f64 = 1e-5;
 /// An order that stays at its start over any joint range.
@@ -167,9 +169,19 @@ impl<'a, 'p> Regressors<'a, 'p> {
         let block = |instance: &EffectInstance| {
             let mut state = self.state.clone();
             let ids = extend(&mut state.model, std::slice::from_ref(instance));
-            let steps = instance.effect.meta().parameters.iter().map(|meta| DIFFERENCE * meta.typical);
-            let changes: Vec<(UnknownId, f64)> = ids.into_iter().map(UnknownId::Model).zip(steps).collect();
-            self.problem.differences(&state, &self.stands, &changes)
+            let with_step = |part: f64| {
+                let steps = instance.effect.meta().parameters.iter().map(|meta| part * meta.typical);
+                let changes: Vec<(UnknownId, f64)> = ids.iter().copied().map(UnknownId::Model).zip(steps).collect();
+                self.problem.differences(&state, &self.stands, &changes)
+            };
+            // What is usual for large arms may leave a small one without an equilibrium.
+            let mut found = with_step(DIFFERENCE);
+            let mut part = DIFFERENCE;
+            while found.is_err() && part > SMALLEST_DIFFERENCE {
+                part *= 0.1;
+                found = with_step(part);
+            }
+            found
         };
         let blocks: Vec<DMatrix<f64>> = instances.par_iter().map(block).collect::<Result<_, _>>()?;
         Ok(whitened(side_by_side(&blocks, self.record_of.len()), &self.whitening))

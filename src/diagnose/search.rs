@@ -156,7 +156,11 @@ impl<'a> Found<'a> {
         }
         if !named.is_empty() {
             let terms = named.iter().fold(self.fitted.terms.clone(), |terms, one| joined(&terms, one));
-            self.fitted = ground.refit(&self.fitted, &terms, &fresh)?;
+            // A cause with which the arm does not stand is none.
+            match ground.refit(&self.fitted, &terms, &fresh) {
+                Ok(fitted) => self.fitted = fitted,
+                Err(_) => return Ok(false),
+            }
         }
         Ok(grown)
     }
