@@ -141,7 +141,10 @@ pub fn run(
         let fate = batch.task(&tasks[index], &console);
         (console, fate)
     };
-    in_order(threads, tasks.len(), work, |index, (said, fate)| {
+    let is_last = |(_, fate): &(Console, Result<Fate, Failure>)| {
+        args.fail_fast && !fate.as_ref().is_ok_and(|fate| fate.exit() == Exit::Done)
+    };
+    in_order(threads, tasks.len(), work, is_last, |index, (said, fate)| {
         progress.suspend(|| console.release(said));
         progress.inc(1);
         taken += 1;
@@ -158,7 +161,7 @@ pub fn run(
         if let Some(Err(failure)) = report.as_mut().map(|report| report.add(&one.1)) {
             failed_writing = Some(failure);
         }
-        match failed_writing.is_some() || args.fail_fast && one.0 != Exit::Done {
+        match failed_writing.is_some() {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         }
@@ -195,10 +198,11 @@ fn survey(
     let mut all: Vec<(Item, Entry)> = Vec::with_capacity(asked.len());
     let look = |index: usize| census::look(&asked[index].input, shop.dialect, asked[index].is_named);
     let mut entries = Vec::with_capacity(asked.len());
-    in_order(threads, asked.len(), look, |_, entry| {
+    let take = |_, entry| {
         entries.push(entry);
         ControlFlow::Continue(())
-    });
+    };
+    in_order(threads, asked.len(), look, |_| false, take);
     // A folder brings all that it holds.
     let named = asked.iter().zip(&entries).filter(|(item, _)| item.is_named);
     let mut beside: Vec<Entry> = named.flat_map(|(_, entry)| census::beside(entry)).collect();
@@ -229,6 +233,17 @@ fn tasks<'a>(entries: &[Entry], items: &[Item], plans: &'a [Plan], out_dir: &Pat
     let place =
         |work: &Work<'_>| Place::new(out_dir, work.files().iter().map(|file| items[*file].output.clone()).collect());
     all.into_iter().map(|work| Task { place: place(&work), work }).collect()
+}
+
+impl Fate {
+    /// How a run of nothing else would end.
+    fn exit(&self) -> Exit {
+        match self {
+            Fate::Written(tally, _) | Fate::Finished(tally, _) if tally.refused == 0 => Exit::Done,
+            Fate::Written(..) | Fate::Finished(..) | Fate::Refused(..) => Exit::No,
+            Fate::Other => Exit::Done,
+        }
+    }
 }
 
 impl Work<'_> {
@@ -331,25 +346,26 @@ fn first_refusal(corrected: &Corrected) -> Option<String> {
 /// Adds what became of a task to the summary; how it ended, and its lines for the report.
 fn note(summary: &mut Summary, task: &Task<'_>, batch: &Batch<'_>, fate: Fate) -> (Exit, Vec<String>) {
     let name = batch.names(task).next().unwrap_or_default();
-    let exit = |tally: &Tally| if tally.refused > 0 { Exit::No } else { Exit::Done };
-    match fate {
+    let exit = fate.exit();
+    let reports = match fate {
         Fate::Written(tally, reports) => {
             summary.add(&name, &tally);
-            (exit(&tally), reports)
+            reports
         }
         Fate::Finished(tally, reports) => {
             summary.add(&name, &tally);
             summary.finished_before += 1;
-            (exit(&tally), reports)
+            reports
         }
         Fate::Refused(tally, reports, reason) => {
             summary.add(&name, &tally);
             summary.left_out.extend(batch.names(task).map(|name| (name, reason.clone())));
-            (Exit::No, reports)
+            reports
         }
         Fate::Other => {
             summary.others += 1;
-            (Exit::Done, Vec::new())
+            Vec::new()
         }
-    }
+    };
+    (exit, reports)
 }

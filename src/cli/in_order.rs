@@ -15,12 +15,15 @@ struct Queue {
     stopped: bool,
 }
 
-/// Does `work` for `0..count` on `threads` threads and hands the results to `take` one by one in order. When `take`
-/// breaks, no further work begins; what had begun is dropped when it is done.
+/// Does `work` for `0..count` on `threads` threads and hands the results to `take` one by one in order.
+///
+/// When a result `is_last`, or `take` breaks, no further work begins; what had begun is finished and handed over, so
+/// that nothing is done that nobody hears of.
 pub fn in_order<R: Send>(
     threads: usize,
     count: usize,
     work: impl Fn(usize) -> R + Sync,
+    is_last: impl Fn(&R) -> bool + Sync,
     mut take: impl FnMut(usize, R) -> ControlFlow<()>,
 ) {
     let queue = Mutex::new(Queue { next: 0, taken: 0, stopped: false });
@@ -34,13 +37,21 @@ pub fn in_order<R: Send>(
         queue.next += 1;
         (!queue.stopped && index < count).then_some(index)
     };
+    let stop = || {
+        lock().stopped = true;
+        changed.notify_all();
+    };
     let (send, receive) = channel();
     std::thread::scope(|scope| {
         for _ in 0..threads.min(count) {
-            let (send, begin, work) = (send.clone(), &begin, &work);
+            let (send, begin, work, is_last, stop) = (send.clone(), &begin, &work, &is_last, &stop);
             scope.spawn(move || {
                 while let Some(index) = begin() {
-                    if send.send((index, work(index))).is_err() {
+                    let result = work(index);
+                    if is_last(&result) {
+                        stop();
+                    }
+                    if send.send((index, result)).is_err() {
                         break;
                     }
                 }
@@ -52,15 +63,12 @@ pub fn in_order<R: Send>(
         for (index, result) in receive {
             waiting.insert(index, result);
             while let Some(result) = waiting.remove(&wanted) {
-                let flow = take(wanted, result);
-                wanted += 1;
-                let mut queue = lock();
-                queue.taken = wanted;
-                queue.stopped |= flow.is_break();
-                changed.notify_all();
-                if queue.stopped {
-                    return;
+                if take(wanted, result).is_break() {
+                    stop();
                 }
+                wanted += 1;
+                lock().taken = wanted;
+                changed.notify_all();
             }
         }
     });
@@ -68,6 +76,8 @@ pub fn in_order<R: Send>(
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
     use super::*;
 
     #[test]
@@ -77,26 +87,45 @@ mod tests {
             std::thread::sleep(std::time::Duration::from_millis(if index == 0 { 30 } else { 0 }));
             index * 2
         };
-        in_order(3, 700, slow_first, |index, result| {
-            seen.push((index, result));
-            ControlFlow::Continue(())
-        });
+        in_order(
+            3,
+            700,
+            slow_first,
+            |_| false,
+            |index, result| {
+                seen.push((index, result));
+                ControlFlow::Continue(())
+            },
+        );
         assert_eq!(seen, (0..700).map(|index| (index, index * 2)).collect::<Vec<_>>());
     }
 
-    #[test]
-    fn a_break_begins_nothing_more() {
-        let begun = std::sync::atomic::AtomicUsize::new(0);
+    /// How many pieces of work began and how many were handed over.
+    fn stopped(is_last: impl Fn(&usize) -> bool + Sync, breaks_at: usize) -> (usize, usize) {
+        let begun = AtomicUsize::new(0);
+        let mut taken = 0;
         let count = |index| {
-            begun.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            begun.fetch_add(1, Ordering::Relaxed);
             index
         };
-        in_order(
-            2,
-            100_000,
-            count,
-            |index, _| if index == 9 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) },
-        );
-        assert!(begun.into_inner() <= 10 + AHEAD + 2);
+        in_order(2, 100_000, count, is_last, |index, _| {
+            taken += 1;
+            if index == breaks_at { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        (begun.into_inner(), taken)
+    }
+
+    #[test]
+    fn a_last_result_begins_nothing_more_and_nothing_is_lost() {
+        let (begun, taken) = stopped(|index| *index == 9, usize::MAX);
+        assert_eq!(begun, taken);
+        assert!((10..=10 + AHEAD + 2).contains(&begun), "{begun} began");
+    }
+
+    #[test]
+    fn a_break_begins_nothing_more_and_nothing_is_lost() {
+        let (begun, taken) = stopped(|_| false, 9);
+        assert_eq!(begun, taken);
+        assert!((10..=10 + AHEAD + 2).contains(&begun), "{begun} began");
     }
 }

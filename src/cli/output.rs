@@ -1,7 +1,10 @@
 //! Writing: a file appears whole or not at all.
 
-use std::io::{BufWriter, IntoInnerError, Write};
-use std::path::Path;
+use std::fs::File;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
 
 use super::exit::Failure;
 
@@ -24,44 +27,87 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Writes bytes to a path, or to standard output for `-`.
-///
-/// A file is written beside its place under another name, flushed to the disk, and renamed.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    write_with(path, |out| out.write_all(bytes))
+/// A file on its way: it stands in its place when it is whole, or not at all.
+pub struct Staged {
+    /// As the user named it.
+    path: PathBuf,
+    target: Target,
 }
 
-/// The same for what is made as it is written.
-fn write_with(path: &Path, content: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
-    if path.as_os_str() == "-" {
-        let mut out = BufWriter::new(std::io::stdout().lock());
-        return content(&mut out).and_then(|()| out.flush()).map_err(Failure::Output);
+/// Where the bytes of a file go.
+enum Target {
+    StandardOutput,
+    /// A pipe or a device, which nothing may replace.
+    Stream(File),
+    /// A file beside the place, to be renamed.
+    Beside(NamedTempFile, PathBuf),
+}
+
+impl Staged {
+    /// Begins a file at a path; `-` is standard output. Where the path is a link, the file behind it is meant.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] as [`check`] has it, or [`Failure::File`].
+    pub fn create(path: &Path) -> Result<Self, Failure> {
+        check(path)?;
+        let open = || {
+            if path.as_os_str() == "-" {
+                return Ok(Target::StandardOutput);
+            }
+            if std::fs::metadata(path).is_ok_and(|there| !there.is_file()) {
+                return Ok(Target::Stream(File::options().write(true).open(path)?));
+            }
+            let place = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+            let file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder_of(&place))?;
+            keep_permissions(&place, file.as_file())?;
+            Ok(Target::Beside(file, place))
+        };
+        let target = open().map_err(|error| failure(path, &error))?;
+        Ok(Self { path: path.to_path_buf(), target })
     }
-    check(path)?;
-    // The kind alone: the name of the temporary file says nothing to the user.
-    let failure = |error: std::io::Error| Failure::file(path, error.kind().into());
-    let staged = || {
-        let mut out = BufWriter::new(temporary(path)?);
-        content(&mut out)?;
-        let file = out.into_inner().map_err(IntoInnerError::into_error)?;
-        file.as_file().sync_all()?;
-        Ok(file)
-    };
-    let file = staged().map_err(failure)?;
-    file.persist(path).map(|_| ()).map_err(|error| failure(error.error))
+
+    /// Adds bytes.
+    ///
+    /// # Errors
+    /// [`Failure::File`] or [`Failure::Output`].
+    pub fn add(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        match &mut self.target {
+            Target::StandardOutput => print(bytes),
+            Target::Stream(file) => file.write_all(bytes).map_err(|error| failure(&self.path, &error)),
+            Target::Beside(file, _) => file.write_all(bytes).map_err(|error| failure(&self.path, &error)),
+        }
+    }
+
+    /// Puts the file in its place, once it is on the disk.
+    ///
+    /// # Errors
+    /// [`Failure::File`]
+    pub fn finish(self) -> Result<(), Failure> {
+        let Target::Beside(file, place) = self.target else { return Ok(()) };
+        let put = || {
+            file.as_file().sync_all()?;
+            file.persist(place).map_err(|error| error.error)
+        };
+        put().map(|_| ()).map_err(|error: std::io::Error| failure(&self.path, &error))
+    }
 }
 
-/// An empty file beside a place, with the permissions that it shall have there.
-pub fn temporary(path: &Path) -> std::io::Result<tempfile::NamedTempFile> {
-    let file = tempfile::Builder::new().prefix(".falsetarget-").tempfile_in(folder_of(path))?;
-    keep_permissions(path, file.as_file())?;
-    Ok(file)
+/// The kind of an error alone: the name of a temporary file says nothing to the user.
+fn failure(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::file(path, error.kind().into())
+}
+
+/// Writes bytes to a path, or to standard output for `-`.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let mut file = Staged::create(path)?;
+    file.add(bytes)?;
+    file.finish()
 }
 
 /// Writes what will be renamed to `path`, under a name of its own. Nothing is flushed to the disk: see [`flush`].
 pub fn write_part(part: &Path, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let write = || {
-        let mut file = std::fs::File::create(part)?;
+        let mut file = File::create(part)?;
         keep_permissions(path, &file)?;
         file.write_all(bytes)
     };
@@ -70,12 +116,12 @@ pub fn write_part(part: &Path, path: &Path, bytes: &[u8]) -> Result<(), Failure>
 
 /// Makes sure that a file survives a loss of power.
 pub fn flush(path: &Path) -> Result<(), Failure> {
-    let flushed = std::fs::File::open(path).and_then(|file| file.sync_all());
+    let flushed = File::open(path).and_then(|file| file.sync_all());
     flushed.map_err(|error| Failure::file(path, error))
 }
 
 /// A new file gets what the user's mask allows; one that is replaced keeps what it had.
-fn keep_permissions(path: &Path, file: &std::fs::File) -> std::io::Result<()> {
+fn keep_permissions(path: &Path, file: &File) -> std::io::Result<()> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
@@ -95,8 +141,7 @@ pub fn print(bytes: &[u8]) -> Result<(), Failure> {
 
 /// Writes a value as JSON with a last newline.
 pub fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(), Failure> {
-    write_with(path, |out| {
-        serde_json::to_writer_pretty(&mut *out, value)?;
-        out.write_all(b"\n")
-    })
+    let mut text = serde_json::to_vec_pretty(value).map_err(|error| Failure::Output(error.into()))?;
+    text.push(b'\n');
+    write(path, &text)
 }

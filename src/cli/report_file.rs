@@ -1,8 +1,7 @@
 //! The report of a run as a file: one JSON document, or JSON lines. Written as the run goes, in its place when whole.
 
 use std::collections::HashSet;
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde_json::json;
 
@@ -10,14 +9,12 @@ use crate::report::tally::Tally;
 use crate::report::targets::{FileReport, SCHEMA, TargetsReport};
 
 use super::exit::Failure;
-use super::output;
+use super::output::{self, Staged};
 
 /// A report on its way.
 pub struct ReportFile {
-    path: PathBuf,
     is_lines: bool,
-    /// Nothing for standard output.
-    temporary: Option<tempfile::NamedTempFile>,
+    file: Staged,
     files: HashSet<String>,
     is_empty: bool,
 }
@@ -62,15 +59,10 @@ impl ReportFile {
     /// # Errors
     /// [`Failure::File`] when there is no place for it.
     pub fn create(path: &Path) -> Result<Self, Failure> {
-        output::check(path)?;
-        let temporary = match path.as_os_str() == "-" {
-            true => None,
-            false => Some(output::temporary(path).map_err(|error| Failure::file(path, error.kind().into()))?),
-        };
-        let path = path.to_path_buf();
-        let mut report = Self { is_lines: is_lines(&path), path, temporary, files: HashSet::new(), is_empty: true };
+        let file = Staged::create(path)?;
+        let mut report = Self { is_lines: is_lines(path), file, files: HashSet::new(), is_empty: true };
         if !report.is_lines {
-            report.put(&format!("{{\n  \"schema\": {},\n  \"files\": [", json!(SCHEMA)))?;
+            report.file.add(format!("{{\n  \"schema\": {},\n  \"files\": [", json!(SCHEMA)).as_bytes())?;
         }
         Ok(report)
     }
@@ -92,7 +84,7 @@ impl ReportFile {
             }
             self.is_empty = false;
         }
-        self.put(&text)
+        self.file.add(text.as_bytes())
     }
 
     /// Adds the summary and puts the report in its place.
@@ -104,25 +96,12 @@ impl ReportFile {
             "corrected": tally.corrected, "joint": tally.joint, "computed": tally.computed, "refused": tally.refused,
             "files": self.files.len(),
         });
-        match self.is_lines {
-            true => self.put(&format!("{}\n", json!({"schema": SCHEMA, "summary": summary})))?,
-            false => self.put(&format!("\n  ],\n  \"summary\": {summary}\n}}\n"))?,
-        }
-        let failure = |error: std::io::Error| Failure::file(&self.path, error);
-        match self.temporary {
-            Some(file) => {
-                file.as_file().sync_all().map_err(failure)?;
-                file.persist(&self.path).map(|_| ()).map_err(|error| failure(error.error))
-            }
-            None => Ok(()),
-        }
-    }
-
-    fn put(&mut self, text: &str) -> Result<(), Failure> {
-        match &mut self.temporary {
-            Some(file) => file.write_all(text.as_bytes()).map_err(|error| Failure::file(&self.path, error)),
-            None => output::print(text.as_bytes()),
-        }
+        let end = match self.is_lines {
+            true => format!("{}\n", json!({"schema": SCHEMA, "summary": summary})),
+            false => format!("\n  ],\n  \"summary\": {summary}\n}}\n"),
+        };
+        self.file.add(end.as_bytes())?;
+        self.file.finish()
     }
 }
 

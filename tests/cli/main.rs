@@ -9,6 +9,7 @@ mod jobs;
 mod library;
 mod main_job;
 mod modules;
+mod outputs;
 mod singular;
 mod talk;
 mod watch;
