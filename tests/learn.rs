@@ -95,7 +95,7 @@ fn waves_of_the_joints_are_learned_and_the_uncertainty_holds() {
 
     let fresh = recording(&arm, 400, 2);
     let observations: Vec<&Observation> = fresh.observations.iter().collect();
-    let predicted = predict(&model.arm, model.uncertainty.as_ref(), &observations).expect("poses");
+    let predicted = predict(&model.arm, model.uncertainty.as_ref(), &model.stations, &observations).expect("poses");
     let inside = predicted
         .iter()
         .zip(&observations)

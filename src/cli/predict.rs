@@ -30,7 +30,7 @@ pub fn run(args: &Args, console: &Console) -> Result<Exit, Failure> {
     let model = load::model(&args.model)?;
     let recording = load::recording(&args.recording, &model.arm.robot)?;
     let records: Vec<&Observation> = recording.observations.iter().collect();
-    let predicted = predict(&model.arm, model.uncertainty.as_ref(), &records)
+    let predicted = predict(&model.arm, model.uncertainty.as_ref(), &model.stations, &records)
         .map_err(|error| Failure::Usage(format!("{}: {error}", recording.name)))?;
     if model.uncertainty.is_none() {
         let unknown = "the model does not know its uncertainty: u95_mm stays empty";

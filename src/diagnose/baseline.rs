@@ -11,6 +11,7 @@ use crate::identify::identifiability::selection_of;
 use crate::identify::identify::{Identified, identify};
 use crate::identify::problem::Problem;
 use crate::identify::sanity;
+use crate::identify::settle::settle;
 use crate::identify::stations;
 use crate::identify::unknown::{Scope, Unknown};
 
@@ -59,6 +60,7 @@ pub fn baseline<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     let checked = sanity::check(&given, &reference)?;
     let placed = stations::start(&given, &entries, &grouping, &checked.placement);
     let (problem, stated) = problem_of(&entries, &grouping, &given.robot, None);
+    let placed = settle(&problem, placed, seed)?;
     let unknowns = selection_of(&problem, &placed.state, Scope::Everything, &placed.own_frame, seed)?.free;
     let identified = identify(&problem, placed.state, &unknowns, stated)?;
     Ok(Baseline { problem, stated, unknowns, identified, left_out })

@@ -2,6 +2,8 @@
 
 use rand_chacha::ChaCha8Rng;
 
+use crate::model::effect::Place;
+
 use super::candidate::Candidate;
 use super::check::holds;
 use super::evidence::{self, DECIDES, SMALLEST_PART};
@@ -37,9 +39,7 @@ impl<'a> Found<'a> {
         random: &mut ChaCha8Rng,
     ) -> Option<(Suspect, f64)> {
         let ranked = rank(all, projection);
-        let named_m2 = self.bare_m2 - projection.cost * self.fitted.estimate.spread.sigma_m.powi(2);
-        let named = named_m2.max(0.0) / self.fitted.estimate.spread.sigma_m.powi(2);
-        let least = (SMALLEST_PART * projection.cost).max(LAW_ERROR * named);
+        let least = (SMALLEST_PART * projection.cost).max(LAW_ERROR * self.told_by_laws(projection));
         let sound = |ranked: &&Ranked<'_>| ranked.evidence < -DECIDES && ranked.gain.explained > least;
         let named: Vec<&Ranked<'_>> =
             ranked.iter().filter(sound).filter(|ranked| ranked.suspect.candidate().is_some()).collect();
@@ -97,6 +97,15 @@ impl<'a> Found<'a> {
             refused.push(chosen);
         }
         None
+    }
+
+    /// Squares, whitened, that laws have explained so far: all but those of a frame that moved once, which has no law that
+    /// could be nearly right.
+    fn told_by_laws(&self, projection: &Projection) -> f64 {
+        let all = self.bare_m2 / self.fitted.estimate.spread.sigma_m.powi(2) - projection.cost;
+        let has_no_law = |candidate: &Candidate| candidate.effect().meta().place == Place::FrameMoment;
+        let terms = self.fitted.terms.iter().enumerate().filter(|(_, candidate)| has_no_law(candidate));
+        (all - terms.map(|(term, _)| self.fitted.worth_of(term).0).sum::<f64>()).max(0.0)
     }
 
     /// The contender whose full fit has the strongest evidence; `None` when none has believable numbers.

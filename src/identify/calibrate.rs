@@ -14,9 +14,10 @@ use super::prior::reach_m;
 use super::problem::{NoPose, Problem, expected_pose};
 use super::robust;
 use super::sanity::{self, Misread};
+use super::settle::settle;
 use super::split::{Split, SplitSource, split};
 use super::state::State;
-use super::stations::{self, Grouping};
+use super::stations::{self, Grouping, Start};
 use super::unknown::Scope;
 
 /// What a person may decide.
@@ -177,7 +178,7 @@ pub fn calibrate<'a>(
 
     progress("identifying");
     let for_identification = problem.subset(&split.identify);
-    let (own_frame, state) = settle_stations(&for_identification, placed, options)?;
+    let Start { own_frame, state } = settle(&for_identification, placed, options.seed)?;
     let selection = selection_of(&for_identification, &state, Scope::Everything, &own_frame, options.seed)?;
     let Identified { estimate: identified, kept, excluded } =
         identify(&for_identification, state.clone(), &selection.free, sigma_stated)?;
@@ -232,50 +233,6 @@ pub fn calibrate<'a>(
         left_out,
         sigma_stated,
     })
-}
-
-/// Stations up to which each is tried with a frame of its own. With more, the moved one is in the minority, and a robust
-/// fit shows it.
-const MOST_TRIALS: usize = 5;
-/// A frame of its own must make all residuals smaller by this factor, typically.
-const FRAME_GAIN: f64 = 1.5;
-
-/// Gives a frame to every station that has moved, one after the other, the most evident first.
-fn settle_stations(
-    problem: &Problem<'_>,
-    placed: stations::Start,
-    options: &Options,
-) -> Result<(Vec<bool>, State), Refusal> {
-    let stations::Start { state, mut own_frame } = placed;
-    let robust_fit = |own_frame: &[bool]| -> Result<State, NoPose> {
-        let free = selection_of(problem, &state, Scope::Everything, own_frame, options.seed)?.free;
-        robust::fit(problem, state.clone(), &free)
-    };
-    let spread = |fitted: &State| -> Result<f64, NoPose> {
-        Ok(robust::spread_m(&robust::lengths_of(problem, &problem.residuals(fitted)?)))
-    };
-    while own_frame.iter().filter(|own| !**own).count() > 1 {
-        let fitted = robust_fit(&own_frame)?;
-        let mut evident = stations::moved(problem, &fitted, &own_frame)?;
-        let tried = stations::candidates(problem, &own_frame);
-        if evident.is_none() && tried.len() <= MOST_TRIALS {
-            let before = spread(&fitted)?;
-            let mut best = before / FRAME_GAIN;
-            for station in tried {
-                let mut with_frame = own_frame.clone();
-                with_frame[station] = true;
-                let after = spread(&robust_fit(&with_frame)?)?;
-                if after < best {
-                    (evident, best) = (Some(station), after);
-                }
-            }
-        }
-        match evident {
-            Some(station) => own_frame[station] = true,
-            None => break,
-        }
-    }
-    Ok((own_frame, state))
 }
 
 fn check_rest(identified: &Estimate<'_>, nominal: &ArmModel) -> Result<(), Refusal> {

@@ -26,6 +26,7 @@ pub mod report;
 pub mod rest;
 pub mod robust;
 pub mod sanity;
+pub mod settle;
 pub mod solve;
 pub mod split;
 pub mod state;

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
+use crate::files::calibration::StationFrame;
 use crate::measure::observation::{Measured, Observation};
 use crate::model::arm::ArmModel;
 use crate::model::linkage::actuators_from_numbers;
@@ -12,7 +13,7 @@ use crate::model::uncertainty::Uncertainty;
 
 use super::ball;
 use super::problem::{NoPose, Problem, Record};
-use super::state::State;
+use super::state::{State, Station};
 use super::unknown::{Prior, Unknown, UnknownId};
 
 /// A predicted point of the measuring frame.
@@ -30,7 +31,8 @@ pub struct Predicted {
 /// The probability of `u95`.
 const PROBABILITY: f64 = 0.95;
 
-/// Predicts the tool point of every record in the measuring frame of the model.
+/// Predicts the tool point of every record in the measuring frame of the model, or where its station is one of `stations` in
+/// that station's frame.
 ///
 /// The covariance is `J C J' + unexplained^2 I`: parameters through the Jacobian at the pose, and what the model is known
 /// to leave. The radius is that of the ball holding such a normal point, widened for a covariance that was itself
@@ -41,15 +43,28 @@ const PROBABILITY: f64 = 0.95;
 pub fn predict(
     arm: &ArmModel,
     uncertainty: Option<&Uncertainty>,
+    stations: &[StationFrame],
     observations: &[&Observation],
 ) -> Result<Vec<Predicted>, NoPose> {
     let origin = Measured { position_m: Vector3::zeros(), rotation: None };
+    // Station 0 is the reference.
+    let station_of = |observation: &Observation| {
+        let known = |name: &String| stations.iter().position(|station| station.name == *name);
+        observation.station.as_ref().and_then(known).map_or(0, |index| index + 1)
+    };
     let records = observations
         .iter()
-        .map(|&observation| Record { observation, measured: origin, station: 0, sigma_m: 1.0, sigma_rad: 1.0 })
+        .map(|&observation| {
+            let station = station_of(observation);
+            Record { observation, measured: origin, station, sigma_m: 1.0, sigma_rad: 1.0 }
+        })
         .collect();
     let problem = Problem { records };
-    let state = State::new(arm.clone());
+    let mut state = State::new(arm.clone());
+    state.stations.extend(stations.iter().map(|station| Station {
+        station_t_measuring: station.station_t_measuring,
+        ..Station::reference(Some(station.name.clone()))
+    }));
     let positions = problem.residuals(&state)?;
     let spread = match uncertainty {
         Some(uncertainty) => Some((uncertainty, spread_of(&problem, &state, uncertainty)?)),

@@ -73,8 +73,8 @@ pub fn validate(
     let measured: Vec<(&Observation, Vector3<f64>)> =
         observations.iter().filter_map(|record| Some((*record, in_measuring_frame(calibration, record)?))).collect();
     let records: Vec<&Observation> = measured.iter().map(|(record, _)| *record).collect();
-    let predicted = predict(&calibration.arm, calibration.uncertainty.as_ref(), &records)?;
-    let nominal = predict(&nominal_of(&calibration.arm), None, &records)?;
+    let predicted = predict(&calibration.arm, calibration.uncertainty.as_ref(), &[], &records)?;
+    let nominal = predict(&nominal_of(&calibration.arm), None, &[], &records)?;
     let points: Vec<Vector3<f64>> = measured.iter().map(|(_, point)| *point).collect();
     let misses = |predicted: &[Predicted]| -> Vec<f64> {
         predicted.iter().zip(&points).map(|(predicted, point)| (predicted.position_m - point).norm()).collect()

@@ -50,7 +50,8 @@ fn library(trial: &Trial) -> Result<Answer, String> {
     let report = serde_json::to_value(DiagnosisReport::new(&diagnosis)).expect("a report");
     let held = read("poses.csv", &trial.poses_text);
     let records: Vec<&Observation> = held.observations.iter().collect();
-    let predicted = predict(&updated(&diagnosis, &recordings).arm, None, &records);
+    let model = updated(&diagnosis, &recordings);
+    let predicted = predict(&model.arm, None, &model.stations, &records);
     let points = |all: Vec<falsetarget::identify::predict::Predicted>| all.iter().map(|one| one.position_m).collect();
     Ok(Answer { report, predicted_m: predicted.ok().map(points), seconds })
 }

@@ -47,7 +47,7 @@ fn held(spec: &Spec, trial: &Trial, whole: bool) -> Option<Held> {
     let (model, report) = summarise(&outcome, &recordings).ok()?;
     let fresh = read("poses.csv", &trial.poses_text);
     let observations: Vec<&Observation> = fresh.observations.iter().collect();
-    let predicted = predict(&model.arm, model.uncertainty.as_ref(), &observations).ok()?;
+    let predicted = predict(&model.arm, model.uncertainty.as_ref(), &model.stations, &observations).ok()?;
     let pairs: Vec<(f64, f64)> = predicted
         .iter()
         .zip(&trial.truth.points_m)

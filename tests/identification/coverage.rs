@@ -110,7 +110,8 @@ fn u95_covers_93_to_97_percent_of_fresh_poses() {
             let (model, report) = calibrated(&ROBOT, &[recording]).expect("a model");
             let fresh = record(&scene.poses[90..], &scene.points[90..], 0.0, 0);
             let observations: Vec<&Observation> = fresh.observations.iter().collect();
-            let predicted = predict(&model.arm, model.uncertainty.as_ref(), &observations).expect("placeable");
+            let predicted =
+                predict(&model.arm, model.uncertainty.as_ref(), &model.stations, &observations).expect("placeable");
             let inside = predicted
                 .iter()
                 .zip(&scene.points[90..])

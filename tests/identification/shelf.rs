@@ -58,7 +58,7 @@ pub fn validation(report: &Report, stage: &str) -> Figures {
 pub fn missed_mm(model: &Calibration, folder: &str) -> f64 {
     let truth = recording_of(folder, "holdout_truth.csv");
     let observations: Vec<&Observation> = truth.observations.iter().collect();
-    let predicted = predict(&model.arm, model.uncertainty.as_ref(), &observations).expect("placeable");
+    let predicted = predict(&model.arm, model.uncertainty.as_ref(), &model.stations, &observations).expect("placeable");
     let square: f64 = predicted
         .iter()
         .zip(&observations)
