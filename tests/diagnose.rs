@@ -12,9 +12,13 @@ use rand_distr::{Distribution, StandardNormal};
 
 use falsetarget::base::text::Source;
 use falsetarget::diagnose::diagnosis::{Diagnosis, Verdict, diagnose};
+use falsetarget::diagnose::updated::updated;
 use falsetarget::files::{recording, robot};
+use falsetarget::identify::predict::predict;
+use falsetarget::measure::observation::Observation;
 use falsetarget::measure::recording::Recording;
 use falsetarget::model::arm::ArmModel;
+use falsetarget::report::diagnosis::DiagnosisReport;
 
 /// Rows theta, d, a, alpha (deg and mm), standard convention.
 const ROWS: [[f64; 4]; 6] = [
@@ -136,6 +140,60 @@ fn a_periodic_error_and_a_lost_motion_are_found_in_turn_with_their_sizes() {
     // What is left is noise and the uncertainty of some 30 numbers from 160 records.
     let noise_rms_mm = NOISE_MM * 3f64.sqrt();
     assert!(found.after.held_out_rms_mm < 1.35 * noise_rms_mm && found.before.held_out_rms_mm > 1.4 * noise_rms_mm);
+}
+
+/// Where a tracker stands that was set up again, seen from where it stood.
+fn elsewhere() -> Isometry3<f64> {
+    Isometry3::new(Vector3::new(1.8e-3, -0.9e-3, 1.1e-3), Vector3::new(0.7e-3, -1.1e-3, 0.9e-3))
+}
+
+/// A recording of a periodic error whose last half was measured from [`elsewhere`].
+fn set_up_twice(seed: u64) -> (Vec<Recording>, ArmModel) {
+    let (mut recordings, arm) = trial(seed, |q, _| {
+        let mut extra = [0.0; 6];
+        extra[3] = 4e-4 * (3.0 * q[3] + 0.7).sin();
+        extra
+    });
+    for record in recordings[0].observations.iter_mut().skip(70) {
+        let point = &mut record.measured.as_mut().expect("measured").position_m;
+        *point = elsewhere().transform_point(&(*point).into()).coords;
+    }
+    (recordings, arm)
+}
+
+#[test]
+fn a_station_that_stood_elsewhere_gets_its_frame_and_hides_nothing() {
+    let (mut recordings, arm) = set_up_twice(21);
+    for (index, record) in recordings[0].observations.iter_mut().enumerate() {
+        record.station = Some(if index < 70 { "first" } else { "second" }.into());
+    }
+    let found = diagnosed(&recordings, &arm);
+    assert_eq!(found.verdict, Verdict::Explained);
+    let named: Vec<&str> = found.findings.iter().map(|finding| finding.instance.effect.meta().id).collect();
+    assert_eq!(named, ["joint_periodic"]);
+    let report = DiagnosisReport::new(&found);
+    let moved = report.stations.iter().find(|station| station.own_frame).expect("one of the two");
+    assert_eq!(moved.name.as_deref(), Some("first"), "the larger one is the reference");
+    assert!((moved.turn_deg.to_radians() / elsewhere().rotation.angle() - 1.0).abs() < 0.05, "{}", moved.turn_deg);
+    // Each record is predicted where its own station sees it.
+    let model = updated(&found, &recordings);
+    let records: Vec<&Observation> = recordings[0].observations.iter().collect();
+    let predicted = predict(&model.arm, None, &model.stations, &records).expect("poses");
+    let furthest_mm = predicted.iter().zip(&records).map(|(predicted, record)| {
+        let measured = record.measured.as_ref().expect("measured").position_m;
+        1e3 * (predicted.position_m - measured).norm()
+    });
+    assert!(furthest_mm.fold(0.0, f64::max) < 6.0 * NOISE_MM);
+}
+
+#[test]
+fn a_large_step_does_not_hide_a_small_error() {
+    let (recordings, arm) = set_up_twice(22);
+    let found = diagnosed(&recordings, &arm);
+    let mut named: Vec<&str> = found.findings.iter().map(|finding| finding.instance.effect.meta().id).collect();
+    named.sort_unstable();
+    assert_eq!(named, ["joint_periodic", "step_shift"]);
+    assert!((1e3 * found.noise_sigma_m / NOISE_MM - 1.0).abs() < 0.15, "{}", found.noise_sigma_m);
 }
 
 #[test]

@@ -77,6 +77,7 @@ fn report() -> DiagnosisReport {
             statement: "Something at joint 5.".into(),
         }),
         outliers: vec![NASTY.into()],
+        stations: Vec::new(),
         next_measurements: vec![NextPart { why: "not told".into(), what: "more poses".into() }],
     }
 }

@@ -1,6 +1,7 @@
 //! What a diagnosis says on a terminal: the sentence that a person reads first, then the findings, the largest first.
 
 use crate::diagnose::diagnosis::Verdict;
+use crate::identify::station_report::StationReport;
 use crate::report::diagnosis::{DiagnosisReport, FindingPart, probability};
 
 use super::console::{Console, Tone};
@@ -18,6 +19,9 @@ pub fn tell(report: &DiagnosisReport, console: &Console) {
     }
     if let Some(unexplained) = &report.unexplained {
         console.say(&format!("without a name: {}", unexplained.statement));
+    }
+    for note in report.stations.iter().filter_map(StationReport::note) {
+        console.say(&note);
     }
     if !report.outliers.is_empty() {
         console.say(&format!("left out: records {}", report.outliers.join(", ")));

@@ -74,11 +74,7 @@ pub fn suspects(regressors: &Regressors<'_, '_>) -> Result<Vec<Suspect>, NoPose>
 pub fn searched(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Suspect> {
     scan::searched(regressors, projection)
         .into_iter()
-        .map(|candidate| Suspect {
-            columns: scan::columns_through(regressors, &candidate.instances),
-            looked_at: evidence::looked_at(candidate.places),
-            cause: Cause::Named(candidate),
-        })
+        .map(|candidate| Suspect::through(candidate, regressors))
         .collect()
 }
 
@@ -107,6 +103,15 @@ pub fn rank<'s>(suspects: &[&'s Suspect], projection: &Projection) -> Vec<Ranked
 }
 
 impl Suspect {
+    /// A named cause that acts through the levers.
+    pub fn through(candidate: Candidate, regressors: &Regressors<'_, '_>) -> Self {
+        Self {
+            columns: scan::columns_through(regressors, &candidate.instances),
+            looked_at: evidence::looked_at(candidate.places),
+            cause: Cause::Named(candidate),
+        }
+    }
+
     /// Evidence against it from a gain.
     pub fn evidence(&self, gain: &Gain, projection: &Projection) -> f64 {
         let chosen = match &self.cause {

@@ -8,6 +8,7 @@ use super::found::{CLEARLY_MORE, Found};
 use super::projection::Gain;
 use super::rank::{Cause, Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
+use super::scan::{SAME_ORDER, other_orders};
 
 /// What is known of a named cause, all others modelled.
 #[derive(Clone, Debug)]
@@ -40,6 +41,17 @@ const MOST_SEARCHED: usize = 8;
 /// Rivals that are told of one cause.
 const MOST_RIVALS: usize = 4;
 
+/// True for what is the same answer as `own`: constants that a search chose make no other one, but for an order, which
+/// another wheel of the gear has.
+fn is_same_answer(candidate: &Candidate, own: &Candidate) -> bool {
+    let (there, here) = (candidate.location(), own.location());
+    let same_place = candidate.id() == own.id() && there.joint == here.joint;
+    match (there.order, here.order) {
+        (Some(a), Some(b)) => same_place && (a - b).abs() < SAME_ORDER,
+        _ => candidate.same_as(own) || same_place && candidate.chosen_constants > 0,
+    }
+}
+
 /// Reviews every named cause.
 ///
 /// # Errors
@@ -60,7 +72,11 @@ pub fn review(found: &Found<'_>) -> Result<Vec<Review>, NoPose> {
         let (evidence, projection) = found.evidence_of(&regressors, term);
         let gain = projection.gain(&fitted.columns_of(term));
         let asked = strongest.contains(&term);
-        let fine = if asked { searched(&regressors, &projection) } else { Vec::new() };
+        let mut fine = if asked { searched(&regressors, &projection) } else { Vec::new() };
+        if asked {
+            let orders = other_orders(own, MOST_RIVALS, &regressors, &projection);
+            fine.extend(orders.into_iter().map(|order| Suspect::through(order, &regressors)));
+        }
         let coarse: &[Suspect] = if asked { &standing } else { &[] };
         let all: Vec<&Suspect> = fine.iter().chain(coarse).collect();
         let ranked = rank(&all, &projection);
@@ -72,10 +88,9 @@ pub fn review(found: &Found<'_>) -> Result<Vec<Review>, NoPose> {
         let mut rivals: Vec<Candidate> = Vec::new();
         for other in ranked.iter().take_while(|other| other.evidence < (evidence + DECIDES).min(0.0)) {
             let Some(candidate) = other.suspect.candidate() else { continue };
-            let told = known(candidate) || rivals.iter().any(|rival| rival.same_as(candidate));
-            // The same cause with a constant that a search chose is the same answer.
-            let another_constant = candidate.id() == own.id() && candidate.chosen_constants > 0;
-            if !told && !another_constant && rivals.len() < MOST_RIVALS {
+            let others = fitted.terms.iter().enumerate().filter(|(other, _)| *other != term).map(|(_, other)| other);
+            let told = others.chain(&rivals).any(|known| known.same_as(candidate)) || is_same_answer(candidate, own);
+            if !told && rivals.len() < MOST_RIVALS {
                 rivals.push(candidate.clone());
             }
         }

@@ -14,6 +14,8 @@ use super::free::{Variable, values};
 use super::projection::Projection;
 use super::regressors::Regressors;
 
+/// Orders that differ by less are one.
+pub const SAME_ORDER: f64 = 0.1;
 /// Highest order: twice a harmonic drive's ratio of 101, with room.
 const HIGHEST_ORDER: f64 = 212.0;
 /// Lowest order that is searched for between whole numbers: the output's own orders are whole, and a shaft before it turns
@@ -155,30 +157,88 @@ fn best_order(
     regressors: &Regressors<'_, '_>,
     projection: &Projection,
 ) -> Option<Candidate> {
+    let line = strongest_lines(effect, joint, 1, regressors, projection).pop()?;
+    Some(if line.is_whole { line.whole } else { line.fraction })
+}
+
+/// Orders of the same joint that explain most in the place of a candidate, the strongest first, each as the whole number and
+/// as the fraction that suits best; none for one without an order.
+pub fn other_orders(
+    candidate: &Candidate,
+    most: usize,
+    regressors: &Regressors<'_, '_>,
+    projection: &Projection,
+) -> Vec<Candidate> {
+    let location = candidate.location();
+    let (Some(order), Some(joint)) = (location.order, location.joint_index()) else { return Vec::new() };
+    let lines = strongest_lines(candidate.effect(), joint, most + 1, regressors, projection);
+    let both = lines.into_iter().flat_map(|line| [line.whole, line.fraction]);
+    // A range of less than a turn does not resolve whole orders: the next ones may explain nearly as much.
+    let next = [order.floor() - 1.0, order.floor(), order.ceil(), order.ceil() + 1.0];
+    let next = next.into_iter().filter(|next| *next >= 1.0).map(|next| Candidate {
+        instances: vec![EffectInstance {
+            location: Location { order: Some(next), ..*location },
+            ..candidate.instances[0]
+        }],
+        places: candidate.places,
+        chosen_constants: 0,
+    });
+    let apart = |found: &Candidate| found.location().order.is_some_and(|other| (other - order).abs() >= SAME_ORDER);
+    both.chain(next).filter(apart).collect()
+}
+
+/// A line of a joint's spectrum, told in two ways.
+struct Line {
+    whole: Candidate,
+    fraction: Candidate,
+    /// True when the whole number is believed: it explains nearly as much, and nothing was chosen.
+    is_whole: bool,
+}
+
+/// The lines of a joint that explain most, the strongest first.
+fn strongest_lines(
+    effect: &'static dyn Effect,
+    joint: usize,
+    most: usize,
+    regressors: &Regressors<'_, '_>,
+    projection: &Projection,
+) -> Vec<Line> {
     let range = range(&values(regressors, Variable::Position(joint))) / std::f64::consts::TAU;
     if range < SMALLEST_RANGE {
-        return None;
+        return Vec::new();
     }
     let explained = |order: f64| {
         let location = Location { order: Some(order), ..Location::at_joint(joint) };
         projection.gain(&regressors.through(&EffectInstance { effect, location })).explained
     };
     let step = 1.0 / (POINTS_ON_A_LINE * range);
-    let (best, _) = worth_a_look(joint, step, regressors, projection)
+    let mut asked: Vec<(f64, f64)> = worth_a_look(joint, step, regressors, projection)
         .into_par_iter()
         .map(|order| (order, explained(order)))
-        .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let found = narrowed((best - step).max(LOWEST_ORDER), best + step, explained);
+        .collect();
+    asked.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut tops: Vec<f64> = Vec::new();
+    for (order, _) in asked {
+        if tops.len() < most && tops.iter().all(|top| (top - order).abs() >= 1.0 / range) {
+            tops.push(order);
+        }
+    }
     // Independent lines: two for each revolution of the range and whole order, on six joints.
     let places = DOF as f64 * (2.0 * HIGHEST_ORDER * range).max(1.0);
     let rows = projection.rows;
     let worth =
         |explained: f64, chosen: usize| evidence::penalised(explained, projection.cost, rows, 2 + chosen, places);
-    let whole = found.round().max(1.0);
-    let (order, chosen_constants) =
-        if worth(explained(whole), 0) <= worth(explained(found), 1) { (whole, 0) } else { (rounded(found), 1) };
-    let location = Location { order: Some(order), ..Location::at_joint(joint) };
-    Some(Candidate { instances: vec![EffectInstance { effect, location }], places, chosen_constants })
+    let candidate = |order: f64, chosen_constants: usize| {
+        let location = Location { order: Some(order), ..Location::at_joint(joint) };
+        Candidate { instances: vec![EffectInstance { effect, location }], places, chosen_constants }
+    };
+    let line = |top: f64| {
+        let found = narrowed((top - step).max(LOWEST_ORDER), top + step, explained);
+        let whole = found.round().max(1.0);
+        let is_whole = worth(explained(whole), 0) <= worth(explained(found), 1);
+        Line { whole: candidate(whole, 0), fraction: candidate(rounded(found), 1), is_whole }
+    };
+    tops.into_iter().map(line).collect()
 }
 
 /// Orders of a grid that are asked exactly: all low ones, where what is free takes most of a line away, and of the high ones

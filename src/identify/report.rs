@@ -6,6 +6,7 @@ use crate::base::units::mm_from_m;
 use crate::model::robot::DOF;
 
 use super::split::SplitSource;
+use super::station_report::StationReport;
 
 /// The word in the first key.
 pub const SCHEMA: &str = "falsetarget/calibration/1";
@@ -218,21 +219,6 @@ pub struct Observability {
     pub condition: f64,
     /// O1 to O5, of the Jacobian in mm per prior-sized error.
     pub indices: [f64; 5],
-}
-
-/// A tracker station.
-#[derive(Clone, Debug, Serialize)]
-pub struct StationReport {
-    /// Its name.
-    pub name: Option<String>,
-    /// Its records.
-    pub records: usize,
-    /// True when it was given a frame of its own.
-    pub own_frame: bool,
-    /// How far its frame lies from the measuring frame at the arm's place, mm.
-    pub shift_mm: f64,
-    /// How far it is turned, deg.
-    pub turn_deg: f64,
 }
 
 /// A record that was not used.

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::linear::Factor;
 use super::problem::{NoPose, Problem};
 use super::state::State;
-use super::unknown::Unknown;
+use super::unknown::{Unknown, UnknownId};
 
 /// Steps that change the estimate by less than this part of its standard uncertainty end the iteration: what a further
 /// step would change is smaller still.
@@ -49,6 +49,17 @@ impl Fit {
     /// Covariance of the unknowns for the sigmas that the records state.
     pub fn covariance(&self) -> DMatrix<f64> {
         &self.covariance_root * self.covariance_root.transpose()
+    }
+
+    /// For each station: true when its frame was free.
+    pub fn own_frames(&self) -> Vec<bool> {
+        let mut own = vec![false; self.state.stations.len()];
+        for unknown in &self.unknowns {
+            if let UnknownId::Station { station, .. } = unknown.id {
+                own[station] = true;
+            }
+        }
+        own
     }
 
     /// Numbers that the data determined, as against those that the priors did: the trace of the hat matrix,

@@ -4,7 +4,6 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::base::units::{deg_from_rad, mm_from_m};
 use crate::files::calibration::Calibration;
-use crate::geometry::pose::vector_from_rotation;
 use crate::measure::recording::{ApproachSource, Kind, Recording};
 use crate::model::effect::JOINT_COMPLIANCE;
 use crate::model::parameters::ParameterId;
@@ -19,6 +18,7 @@ use super::rest::{Left, ToldBy, left};
 use super::robust::lengths_of;
 use super::split::SplitSource;
 use super::state::State;
+use super::station_report::{StationReport, station_reports};
 use super::unknown::UnknownId;
 use super::written::{region, written};
 
@@ -96,7 +96,7 @@ pub fn summarise(outcome: &Outcome<'_>, recordings: &[Recording]) -> Result<(Cal
             condition: judged.condition,
             indices: judged.observability,
         },
-        stations: station_reports(outcome),
+        stations: stations_of(outcome),
         left_out: outcome
             .left_out
             .iter()
@@ -190,24 +190,8 @@ fn parameters(outcome: &Outcome<'_>, judged: &Identifiability) -> Vec<ParameterR
         .collect()
 }
 
-fn station_reports(outcome: &Outcome<'_>) -> Vec<StationReport> {
-    let state = &outcome.delivered.fit.state;
-    let base = state.model.prepared().measuring_t_base().translation;
-    state
-        .stations
-        .iter()
-        .enumerate()
-        .map(|(index, station)| {
-            let pose = station.pose();
-            StationReport {
-                name: station.name.clone(),
-                records: outcome.grouping.station_of.iter().filter(|&&of| of == index).count(),
-                own_frame: outcome.own_frame[index],
-                shift_mm: mm_from_m((pose.transform_point(&base) - base).norm()),
-                turn_deg: deg_from_rad(vector_from_rotation(&pose.rotation).norm()),
-            }
-        })
-        .collect()
+fn stations_of(outcome: &Outcome<'_>) -> Vec<StationReport> {
+    station_reports(&outcome.delivered.fit.state, &outcome.own_frame, &outcome.grouping.station_of)
 }
 
 fn notes(outcome: &Outcome<'_>, recordings: &[Recording], left: &Left, judged: &Identifiability) -> Vec<String> {
@@ -219,14 +203,7 @@ fn notes(outcome: &Outcome<'_>, recordings: &[Recording], left: &Left, judged: &
         ));
     }
     let state = &outcome.delivered.fit.state;
-    for station in station_reports(outcome).iter().filter(|station| station.own_frame) {
-        notes.push(format!(
-            "station {} measured from elsewhere ({:.2} mm and {:.3} deg from the others): it has a frame of its own",
-            station.name.as_deref().unwrap_or("?"),
-            station.shift_mm,
-            station.turn_deg
-        ));
-    }
+    notes.extend(stations_of(outcome).iter().filter_map(StationReport::note));
     notes.extend(still_joints(outcome));
     if outcome.split.source == SplitSource::Regions {
         notes.push(

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::diagnose::diagnosis::{Diagnosis, Errors, Finding, Verdict};
 use crate::diagnose::statement::{headline, of_finding, of_unexplained};
+use crate::identify::station_report::{StationReport, station_reports};
 use crate::measure::recording::Kind;
 use crate::model::effect::Location;
 
@@ -28,6 +29,9 @@ pub struct DiagnosisReport {
     pub unexplained: Option<UnexplainedPart>,
     /// Names of the gross errors.
     pub outliers: Vec<String>,
+    /// Tracker stations, if there are several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub stations: Vec<StationReport>,
     /// What to measure next.
     pub next_measurements: Vec<NextPart>,
 }
@@ -167,12 +171,22 @@ impl DiagnosisReport {
                 statement: of_unexplained(unexplained),
             }),
             outliers: diagnosis.outliers.clone(),
+            stations: stations(diagnosis),
             next_measurements: diagnosis
                 .next_measurements
                 .iter()
                 .map(|advice| NextPart { why: advice.why.clone(), what: advice.what.clone() })
                 .collect(),
         }
+    }
+}
+
+fn stations(diagnosis: &Diagnosis<'_>) -> Vec<StationReport> {
+    let fit = &diagnosis.estimate.fit;
+    let station_of: Vec<usize> = diagnosis.estimate.problem.records.iter().map(|record| record.station).collect();
+    match fit.state.stations.len() {
+        0 | 1 => Vec::new(),
+        _ => station_reports(&fit.state, &fit.own_frames(), &station_of),
     }
 }
 
