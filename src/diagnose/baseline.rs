@@ -5,11 +5,12 @@ use crate::measure::observation::{Observation, SetName};
 use crate::measure::recording::Recording;
 use crate::model::arm::ArmModel;
 
-use crate::identify::estimate::Estimate;
+use crate::identify::estimate::estimate;
 use crate::identify::gather::{Gathered, LeftOut, gather, problem_of};
 use crate::identify::identifiability::selection_of;
-use crate::identify::identify::{Identified, identify};
-use crate::identify::problem::Problem;
+use crate::identify::identify::{Identified, IdentifyError, identify};
+use crate::identify::problem::{NoPose, Problem};
+use crate::identify::robust::limit;
 use crate::identify::sanity;
 use crate::identify::settle::settle;
 use crate::identify::stations;
@@ -17,6 +18,10 @@ use crate::identify::unknown::{Scope, Unknown};
 
 /// Fewest records in which anything is looked for: below, the geometry alone takes all of them.
 pub const FEWEST_RECORDS: usize = 20;
+
+/// Gross errors are few: where more than this part of the records stands off, they may be a cause that the others do not
+/// show.
+const CROWD: f64 = 0.05;
 
 /// The refitted model as given, and the records that it stands on.
 #[derive(Clone, Debug)]
@@ -27,17 +32,23 @@ pub struct Baseline<'a> {
     pub stated: bool,
     /// What is free before anything is missing: frames, rows, loop, stations, effects that the model has.
     pub unknowns: Vec<Unknown>,
-    /// The fit without its gross errors.
-    pub identified: Identified<'a>,
+    /// The fit without its gross errors, or that there are too many.
+    pub identified: Result<Identified<'a>, IdentifyError>,
+    /// Where many records stand off: the fit to all.
+    pub crowd: Option<Crowd<'a>>,
     /// Records that were not usable at all.
     pub left_out: Vec<LeftOut>,
 }
 
-impl<'a> Baseline<'a> {
-    /// The fit.
-    pub fn estimate(&self) -> &Estimate<'a> {
-        &self.identified.estimate
-    }
+/// Too many records stand off from what the others say for all of them to be mistakes.
+#[derive(Clone, Debug)]
+pub struct Crowd<'a> {
+    /// The fit to all records.
+    pub all: Identified<'a>,
+    /// How many stand off.
+    pub apart: usize,
+    /// Standard deviation per axis of those that agree, m.
+    pub agreed_sigma_m: f64,
 }
 
 /// Refits the model as given to the records.
@@ -62,8 +73,24 @@ pub fn baseline<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     let (problem, stated) = problem_of(&entries, &grouping, &given.robot, None);
     let placed = settle(&problem, placed, seed)?;
     let unknowns = selection_of(&problem, &placed.state, Scope::Everything, &placed.own_frame, seed)?.free;
-    let identified = identify(&problem, placed.state, &unknowns, stated)?;
-    Ok(Baseline { problem, stated, unknowns, identified, left_out })
+    let identified = match identify(&problem, placed.state.clone(), &unknowns, stated) {
+        Err(IdentifyError::NoPose(error)) => return Err(error.into()),
+        result => result,
+    };
+    let records = problem.records.len();
+    let (apart, agreed_sigma_m) = match &identified {
+        Ok(identified) => (identified.excluded.len(), identified.estimate.spread.sigma_m),
+        Err(IdentifyError::TooManyOutliers { excluded, limit_mm, .. }) => (*excluded, limit_mm * 1e-3 / limit(records)),
+        Err(IdentifyError::NoPose(_)) => (0, 0.0),
+    };
+    let is_crowd = apart as f64 > CROWD * records as f64;
+    let crowd = is_crowd.then(|| -> Result<Crowd<'a>, NoPose> {
+        let estimate = estimate(problem.clone(), placed.state, &unknowns, stated)?;
+        let all = Identified { estimate, kept: (0..records).collect(), excluded: Vec::new() };
+        Ok(Crowd { all, apart, agreed_sigma_m })
+    });
+    let crowd = crowd.transpose()?;
+    Ok(Baseline { problem, stated, unknowns, identified, crowd, left_out })
 }
 
 fn without_silent_effects(given: &ArmModel) -> ArmModel {

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::identify::calibrate::Refusal;
 use crate::identify::estimate::Estimate;
-use crate::identify::identify::{deviations, of_one_joint};
+use crate::identify::identify::{Identified, deviations, of_one_joint};
 use crate::identify::problem::{NoPose, Problem};
 use crate::identify::report::Figures;
 use crate::identify::robust;
@@ -14,7 +14,7 @@ use crate::model::arm::{ArmModel, EffectInstance};
 use crate::model::effect::{Location, by_id};
 
 use super::advice::{Advice, next_measurements};
-use super::baseline::baseline;
+use super::baseline::{Baseline, baseline};
 use super::evidence;
 use super::fitted::{Fitted, Ground};
 use super::found::Found;
@@ -129,6 +129,8 @@ pub struct Diagnosis<'a> {
     pub estimate: Estimate<'a>,
 }
 
+/// Residuals of all records over those of the ones that agreed, up to which all of them agree.
+const AS_NEAR: f64 = 1.2;
 /// Rounds of search and sorting out gross errors.
 const ROUNDS: usize = 2;
 
@@ -139,29 +141,9 @@ const ROUNDS: usize = 2;
 pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) -> Result<Diagnosis<'a>, Refusal> {
     let kind = Kind::of(recordings);
     let base = baseline(given, recordings, seed)?;
-    let mut kept = base.identified.kept.clone();
-    let mut bare = Fitted::bare(base.estimate().clone());
-    let mut round = 0;
-    let found = loop {
-        round += 1;
-        let ground = Ground {
-            problem: base.problem.subset(&kept),
-            stated: base.stated,
-            state: base.estimate().fit.state.clone(),
-            unknowns: base.unknowns.clone(),
-            ripple: None,
-        };
-        let lines = search_from(&ground, bare.clone(), kind, seed)?;
-        let found = match with_curves(&ground, &lines, kind, seed)? {
-            Some(curves) => curves,
-            None => lines,
-        };
-        let again = still_good(&base.problem, &found.fitted.estimate, &kept)?;
-        if again == kept || round == ROUNDS {
-            break found;
-        }
-        kept = again;
-        bare = Ground { problem: base.problem.subset(&kept), ..ground }.fit(&[])?;
+    let Searched { found, bare, kept } = match explained_crowd(&base, kind, seed)? {
+        Some(searched) => searched,
+        None => searched(&base, &base.identified.clone()?, kind, seed)?,
     };
     let outliers = (0..base.problem.records.len())
         .filter(|index| !kept.contains(index))
@@ -199,6 +181,55 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     };
     diagnosis.next_measurements = next_measurements(&diagnosis)?;
     Ok(diagnosis)
+}
+
+/// What a search has found, and in which records.
+struct Searched<'a> {
+    found: Found<'a>,
+    /// The fit to the same records without it.
+    bare: Fitted<'a>,
+    kept: Vec<usize>,
+}
+
+/// Searches, sorts out gross errors beside what was found, and searches again.
+fn searched<'a>(base: &Baseline<'a>, start: &Identified<'a>, kind: Kind, seed: u64) -> Result<Searched<'a>, NoPose> {
+    let mut kept = start.kept.clone();
+    let mut bare = Fitted::bare(start.estimate.clone());
+    let mut round = 0;
+    loop {
+        round += 1;
+        let ground = Ground {
+            problem: base.problem.subset(&kept),
+            stated: base.stated,
+            state: start.estimate.fit.state.clone(),
+            unknowns: base.unknowns.clone(),
+            ripple: None,
+        };
+        let lines = search_from(&ground, bare.clone(), kind, seed)?;
+        let found = match with_curves(&ground, &lines, kind, seed)? {
+            Some(curves) => curves,
+            None => lines,
+        };
+        let again = still_good(&base.problem, &found.fitted.estimate, &kept)?;
+        if again == kept || round == ROUNDS {
+            return Ok(Searched { found, bare, kept });
+        }
+        kept = again;
+        bare = Ground { problem: base.problem.subset(&kept), ..ground }.fit(&[])?;
+    }
+}
+
+/// A search in all records, where many stand off together (a late step, a second load) and what it finds explains at least
+/// half of them: it then leaves the rest as near as those that agreed were to each other.
+fn explained_crowd<'a>(base: &Baseline<'a>, kind: Kind, seed: u64) -> Result<Option<Searched<'a>>, NoPose> {
+    let Some(crowd) = &base.crowd else { return Ok(None) };
+    let all = searched(base, &crowd.all, kind, seed)?;
+    let estimate = &all.found.fitted.estimate;
+    let apart = base.problem.records.len() - all.kept.len();
+    let explains = !all.found.fitted.terms.is_empty()
+        && 2 * apart <= crowd.apart
+        && estimate.spread.sigma_m <= AS_NEAR * crowd.agreed_sigma_m;
+    Ok(explains.then_some(all))
 }
 
 /// The records that are no gross errors beside what was found. Many that are off by one and the same joint are physics.

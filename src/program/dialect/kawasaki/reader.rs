@@ -246,7 +246,7 @@ impl Reader<'_> {
         if elbow.is_some() {
             Arc::make_mut(&mut target.configuration).elbow_down = elbow;
         }
-        target.uses.push(one);
+        target.add_use(one);
     }
 }
 

@@ -96,7 +96,7 @@ impl<'j, 'a> Targets<'j, 'a> {
             let written = |&target: &usize| self.targets[target].computed.is_none();
             self.stands_in = reached.iter().all(written).then_some(step.routine).filter(|_| !reached.is_empty());
             for target in reached {
-                self.targets[target].uses.push(one.clone());
+                self.targets[target].add_use(one.clone());
                 self.configured[target] |= counts;
             }
         }

@@ -159,7 +159,7 @@ impl<'a> One<'a> {
             Goal::Written(span, numbers) => match value(numbers.as_deref(), &motion.coordinates) {
                 Ok(value) => {
                     let target = targets.inline(Target { external_axes, ..plain(self.file, *span, value) });
-                    target.uses.push(one);
+                    target.add_use(one);
                 }
                 Err(reason) => unwritten(targets, *span, &reason, one),
             },

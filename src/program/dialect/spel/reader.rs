@@ -248,7 +248,7 @@ impl Reader<'_> {
                 Goal::Literal(point) => {
                     let target = self.targets.inline(of_point(&point, None, None));
                     one.frame = frame(&point);
-                    target.uses.push(one);
+                    target.add_use(one);
                 }
                 Goal::Indexed => {
                     self.indexed.get_or_insert_with(|| one.clone());

@@ -85,7 +85,7 @@ impl Targets<'_> {
                 if target.configuration.near_joints_deg.is_none() {
                     Arc::make_mut(&mut target.configuration).near_joints_deg = found.near_joints_deg;
                 }
-                target.uses.push(found.one.clone());
+                target.add_use(found.one.clone());
             }
             Goal::Runtime(reason) => self.runtime(found, reason.clone(), program),
             Goal::Composed(_) => {}
@@ -95,7 +95,7 @@ impl Targets<'_> {
     fn runtime(&self, found: &Found, reason: String, program: &mut Program) {
         let mut target = self.target(found.place, None, TargetValue::Unwritten);
         target.computed = Some(reason);
-        target.uses.push(found.one.clone());
+        target.add_use(found.one.clone());
         program.targets.push(target);
     }
 
@@ -184,7 +184,7 @@ impl Targets<'_> {
         let one = found.one.clone().in_frame(Reference::Named(name.into()));
         let near = &mut Arc::make_mut(&mut program.targets[index].configuration).near_joints_deg;
         *near = near.or(found.near_joints_deg);
-        program.targets[index].uses.push(one);
+        program.targets[index].add_use(one);
     }
 
     /// The first pose is a target of its own: the second displaces it.
@@ -198,7 +198,7 @@ impl Targets<'_> {
     ) {
         if let Some(&index) = self.by_start.get(&composed.to.start) {
             match program.targets[index].value {
-                TargetValue::Displaced(_) => program.targets[index].uses.push(found.one.clone()),
+                TargetValue::Displaced(_) => program.targets[index].add_use(found.one.clone()),
                 _ => self.runtime(found, "a move goes to the second pose of `pose_trans` as well".into(), program),
             }
             return;
@@ -216,7 +216,7 @@ impl Targets<'_> {
         let value = TargetValue::Displaced(Box::new(displacement));
         let mut target = self.target(self.file.text.span(&composed.to), composed.name.clone(), value);
         Arc::make_mut(&mut target.configuration).near_joints_deg = found.near_joints_deg;
-        target.uses.push(found.one.clone());
+        target.add_use(found.one.clone());
         program.targets.push(target);
         self.by_start.insert(composed.to.start, program.targets.len() - 1);
     }

@@ -90,7 +90,7 @@ impl Reader<'_> {
         if let Some(target) = literal(text, code.file, range) {
             let target = self.targets.inline(target);
             let frame = if target.kind() == "joint" { Reference::Unnamed } else { father(None) };
-            target.uses.push(used.clone().in_frame(frame));
+            target.add_use(used.clone().in_frame(frame));
             return Ok(());
         }
         if text.word(range.start) == b"appro" && text.is(range.start + 1, b'(') {
