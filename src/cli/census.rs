@@ -56,7 +56,8 @@ pub fn look(path: &Path, wanted: Option<&'static dyn Dialect>, is_named: bool) -
     }
 }
 
-/// Looks at the files beside one that was named alone, as far as they may be of its job.
+/// Looks at the files beside one that was named alone, as far as they may be of its job: those that end as files of its
+/// language do. A report or an export of the same name may be of any size and is not even opened.
 pub fn beside(entry: &Entry) -> Vec<Entry> {
     let Ok(Some(dialect)) = entry.dialect else { return Vec::new() };
     let own = name_of(&entry.path);
@@ -66,7 +67,8 @@ pub fn beside(entry: &Entry) -> Vec<Entry> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_ascii_lowercase();
         let name = name_of(path);
         *path != entry.path
-            && (dialect.job_of(name) == job || has_ties && dialect.meta().extensions.contains(&ending.as_str()))
+            && dialect.meta().extensions.contains(&ending.as_str())
+            && (has_ties || dialect.job_of(name) == job)
     };
     let all = folders(&entry.path, dialect).into_iter().flat_map(|folder| files_in(&folder));
     let recognised = |entry: &Entry| matches!(&entry.dialect, Ok(Some(other)) if other.meta().id == dialect.meta().id);

@@ -48,7 +48,7 @@ pub struct Kawasaki;
 static META: Meta = Meta {
     id: "kawasaki",
     title: "Kawasaki AS",
-    extensions: &["as", "pg"],
+    extensions: &["as", "pg", "lc"],
     code_page: Some(Encoding::ShiftJis),
     numbers: NumberRules { max_decimals: 6, integers_may_gain_point: true },
 };
