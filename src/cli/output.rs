@@ -1,7 +1,7 @@
 //! Writing: a file appears whole or not at all.
 
 use std::fs::File;
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
@@ -71,10 +71,19 @@ impl Staged {
     /// # Errors
     /// [`Failure::File`] or [`Failure::Output`].
     pub fn add(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        self.put(|out| out.write_all(bytes))
+    }
+
+    /// Adds what is made as it is written.
+    fn put(&mut self, content: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
+        let write = |out: &mut dyn Write| {
+            let mut out = BufWriter::new(out);
+            content(&mut out).and_then(|()| out.flush())
+        };
         match &mut self.target {
-            Target::StandardOutput => print(bytes),
-            Target::Stream(file) => file.write_all(bytes).map_err(|error| failure(&self.path, &error)),
-            Target::Beside(file, _) => file.write_all(bytes).map_err(|error| failure(&self.path, &error)),
+            Target::StandardOutput => write(&mut std::io::stdout().lock()).map_err(Failure::Output),
+            Target::Stream(file) => write(file).map_err(|error| failure(&self.path, &error)),
+            Target::Beside(file, _) => write(file).map_err(|error| failure(&self.path, &error)),
         }
     }
 
@@ -133,15 +142,12 @@ fn keep_permissions(path: &Path, file: &File) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Writes bytes to standard output.
-pub fn print(bytes: &[u8]) -> Result<(), Failure> {
-    let mut out = std::io::stdout().lock();
-    out.write_all(bytes).and_then(|()| out.flush()).map_err(Failure::Output)
-}
-
 /// Writes a value as JSON with a last newline.
 pub fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(), Failure> {
-    let mut text = serde_json::to_vec_pretty(value).map_err(|error| Failure::Output(error.into()))?;
-    text.push(b'\n');
-    write(path, &text)
+    let mut file = Staged::create(path)?;
+    file.put(|out| {
+        serde_json::to_writer_pretty(&mut *out, value)?;
+        out.write_all(b"\n")
+    })?;
+    file.finish()
 }

@@ -73,15 +73,12 @@ pub fn baseline<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
     let (problem, stated) = problem_of(&entries, &grouping, &given.robot, None);
     let placed = settle(&problem, placed, seed)?;
     let unknowns = selection_of(&problem, &placed.state, Scope::Everything, &placed.own_frame, seed)?.free;
-    let identified = match identify(&problem, placed.state.clone(), &unknowns, stated) {
-        Err(IdentifyError::NoPose(error)) => return Err(error.into()),
-        result => result,
-    };
+    let identified = identify(&problem, placed.state.clone(), &unknowns, stated);
     let records = problem.records.len();
     let (apart, agreed_sigma_m) = match &identified {
         Ok(identified) => (identified.excluded.len(), identified.estimate.spread.sigma_m),
         Err(IdentifyError::TooManyOutliers { excluded, limit_mm, .. }) => (*excluded, limit_mm * 1e-3 / limit(records)),
-        Err(IdentifyError::NoPose(_)) => (0, 0.0),
+        Err(IdentifyError::NoPose(error)) => return Err(error.clone().into()),
     };
     let is_crowd = apart as f64 > CROWD * records as f64;
     let crowd = is_crowd.then(|| -> Result<Crowd<'a>, NoPose> {

@@ -72,8 +72,9 @@ pub fn review(found: &Found<'_>) -> Result<Vec<Review>, NoPose> {
         let (evidence, projection) = found.evidence_of(&regressors, term);
         let gain = projection.gain(&fitted.columns_of(term));
         let asked = strongest.contains(&term);
-        let mut fine = if asked { searched(&regressors, &projection) } else { Vec::new() };
+        let mut fine = Vec::new();
         if asked {
+            fine = searched(&regressors, &projection);
             let orders = other_orders(own, MOST_RIVALS, &regressors, &projection);
             fine.extend(orders.into_iter().map(|order| Suspect::through(order, &regressors)));
         }
