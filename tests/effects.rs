@@ -153,7 +153,7 @@ fn locations(place: Place) -> Vec<Location> {
     let none = Location::default();
     let joints = || (0..DOF).map(Location::at_joint);
     match place {
-        Place::Joint => joints().collect(),
+        Place::Joint | Place::JointLaw => joints().collect(),
         Place::JointOrder => {
             joints().flat_map(|at| [1.0, 2.0, 7.5].map(|order| Location { order: Some(order), ..at })).collect()
         }

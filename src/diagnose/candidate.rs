@@ -34,7 +34,7 @@ impl Candidate {
 
     /// True when both say the same: the same effect in the same place, orders as good as equal.
     pub fn same_as(&self, other: &Candidate) -> bool {
-        let bare = |location: &Location| Location { order: None, at_s: None, reference: None, ..*location };
+        let bare = |location: &Location| Location { order: None, at_s: None, reference: None, law: None, ..*location };
         let near = |a: Option<f64>, b: Option<f64>, within: f64| match (a, b) {
             (Some(a), Some(b)) => (a - b).abs() < within,
             (a, b) => a.is_none() == b.is_none(),
@@ -63,7 +63,11 @@ pub fn candidates(model: &ArmModel, problem: &Problem<'_>) -> Vec<Candidate> {
         let places: Vec<Location> = places_of(effect.meta().place, model);
         let count = places.len() as f64;
         let known = |location: &Location| {
-            let at = |known: &EffectInstance| Location { reference: location.reference, ..known.location };
+            let at = |known: &EffectInstance| Location {
+                reference: location.reference,
+                law: location.law,
+                ..known.location
+            };
             model.effects.iter().any(|known| known.effect.meta().id == effect.meta().id && at(known) == *location)
         };
         for location in places.into_iter().filter(|location| !known(location)) {
@@ -90,8 +94,10 @@ pub fn with_companion(effect: &'static dyn Effect, location: Location, model: &A
         .effects
         .iter()
         .any(|known| known.effect.meta().id == JOINT_COMPLIANCE.meta().id && known.location.joint == location.joint);
-    let straight = (bent && !known)
-        .then_some(EffectInstance { effect: JOINT_COMPLIANCE, location: Location { reference: None, ..location } });
+    let straight = (bent && !known).then_some(EffectInstance {
+        effect: JOINT_COMPLIANCE,
+        location: Location { reference: None, law: None, ..location },
+    });
     std::iter::once(EffectInstance { effect, location }).chain(straight).collect()
 }
 
@@ -100,7 +106,7 @@ fn places_of(place: Place, model: &ArmModel) -> Vec<Location> {
     let links = (0..DOF).map(|link| Location { link: Some(link + 1), ..Location::default() });
     let here = Location::default();
     match place {
-        Place::Joint => joints().collect(),
+        Place::Joint | Place::JointLaw => joints().collect(),
         Place::JointOrder => joints()
             .flat_map(|at| (1..=LOW_ORDERS).map(move |order| Location { order: Some(order as f64), ..at }))
             .collect(),

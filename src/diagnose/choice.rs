@@ -39,7 +39,7 @@ impl<'a> Found<'a> {
         random: &mut ChaCha8Rng,
     ) -> Option<(Suspect, f64)> {
         let ranked = rank(all, projection);
-        let least = (SMALLEST_PART * projection.cost).max(LAW_ERROR * self.told_by_laws(projection));
+        let least = self.least(projection);
         let sound = |ranked: &&Ranked<'_>| ranked.evidence < -DECIDES && ranked.gain.explained > least;
         let named: Vec<&Ranked<'_>> =
             ranked.iter().filter(sound).filter(|ranked| ranked.suspect.candidate().is_some()).collect();
@@ -97,6 +97,11 @@ impl<'a> Found<'a> {
             refused.push(chosen);
         }
         None
+    }
+
+    /// Squares, whitened, that a further cause must explain to be one.
+    pub fn least(&self, projection: &Projection) -> f64 {
+        (SMALLEST_PART * projection.cost).max(LAW_ERROR * self.told_by_laws(projection))
     }
 
     /// Squares, whitened, that laws have explained so far: all but those of a frame that moved once, which has no law that

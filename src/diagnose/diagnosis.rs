@@ -88,6 +88,8 @@ pub struct Finding {
     pub share: f64,
     /// Those that this recording cannot tell from it.
     pub alternatives: Vec<Rival>,
+    /// Between which orders that of a periodic error lies with 95 %.
+    pub order_95: Option<[f64; 2]>,
 }
 
 /// Structure without a name.
@@ -283,6 +285,7 @@ fn findings(found: &Found<'_>, held_out_rms_mm: f64, seed: u64) -> Vec<Finding> 
                     .iter()
                     .map(|rival| Rival { effect: rival.id(), location: *rival.location() })
                     .collect(),
+                order_95: review.order_95,
             }
         })
         .collect()
@@ -308,6 +311,7 @@ fn curves(found: &Found<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
             stability: None,
             share: (explained * sigma_m.powi(2) / found.bare_m2.max(f64::MIN_POSITIVE)).min(1.0),
             alternatives: Vec::new(),
+            order_95: None,
         }
     };
     fitted.ripple.iter().flat_map(|ripple| &ripple.joints).map(finding).collect()

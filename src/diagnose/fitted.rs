@@ -197,13 +197,14 @@ impl Fitted<'_> {
         self.estimate.fit.residuals.component_mul(&self.estimate.problem.whitening())
     }
 
-    /// The fit's columns without those of a term, and the residuals that taking it out leaves (to first order).
-    fn without(&self, term: Option<usize>) -> (FreeNumbers, DVector<f64>) {
+    /// The fit's columns without those of some terms, and the residuals that taking them out leaves (to first order).
+    fn without(&self, terms: &[usize]) -> (FreeNumbers, DVector<f64>) {
         let fit = &self.estimate.fit;
-        let span = term.and_then(|term| self.spans.get(term).cloned()).unwrap_or(0..0);
-        let kept: Vec<usize> = (0..fit.unknowns.len()).filter(|index| !span.contains(index)).collect();
+        let spans = || terms.iter().filter_map(|term| self.spans.get(*term).cloned());
+        let kept: Vec<usize> =
+            (0..fit.unknowns.len()).filter(|index| !spans().any(|span| span.contains(index))).collect();
         let mut residuals = self.residuals();
-        for index in span {
+        for index in spans().flatten() {
             let value = fit.state.get(fit.unknowns[index].id).unwrap_or(0.0);
             residuals.axpy(-value, &fit.whitened_jacobian.column(index), 1.0);
         }
@@ -220,13 +221,18 @@ impl Fitted<'_> {
 
     /// What is left when everything free is projected out: all, or all but a term.
     pub fn projection(&self, without: Option<usize>) -> Projection {
-        let (free, residuals) = self.free_without(without);
+        self.projection_without(without.as_slice())
+    }
+
+    /// What is left when everything free but some terms is projected out.
+    pub fn projection_without(&self, terms: &[usize]) -> Projection {
+        let (free, residuals) = self.free_without(terms);
         Projection::new(&free.columns, &free.sigmas, &residuals, &free.deviations)
     }
 
-    /// Everything that is free, or all of it but a term, with the whitened residuals that taking the term out leaves.
-    pub fn free_without(&self, term: Option<usize>) -> (FreeNumbers, DVector<f64>) {
-        let (mut free, residuals) = self.without(term);
+    /// Everything that is free but some terms, with the whitened residuals that taking those out leaves.
+    pub fn free_without(&self, terms: &[usize]) -> (FreeNumbers, DVector<f64>) {
+        let (mut free, residuals) = self.without(terms);
         if let Some(ripple) = &self.ripple {
             ripple.add_to(&mut free, &self.estimate.problem.whitening(), None);
         }
@@ -236,7 +242,7 @@ impl Fitted<'_> {
     /// The same with the curve of one joint taken out, which moved the coordinates by `said_m`.
     pub fn projection_without_ripple_of(&self, joint: usize, said_m: &DVector<f64>) -> Projection {
         let whitening = self.estimate.problem.whitening();
-        let (mut free, residuals) = self.without(None);
+        let (mut free, residuals) = self.without(&[]);
         if let Some(ripple) = &self.ripple {
             ripple.add_to(&mut free, &whitening, Some(joint));
         }

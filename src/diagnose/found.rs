@@ -5,7 +5,7 @@ use crate::model::effect::Location;
 
 use super::candidate::Candidate;
 use super::evidence;
-use super::fitted::Fitted;
+use super::fitted::{Fitted, Ground};
 use super::free::{FreeFunction, Seat, free_functions};
 use super::hold_out::Blocks;
 use super::projection::{Gain, Projection};
@@ -32,7 +32,7 @@ pub struct Found<'a> {
     pub reviews: Vec<Review>,
 }
 
-impl Found<'_> {
+impl<'a> Found<'a> {
     /// What is left beyond everything found, but for one named cause.
     pub fn projection(&self, regressors: &Regressors<'_, '_>, without: Option<usize>) -> Projection {
         let projection = self.fitted.projection(without);
@@ -46,6 +46,7 @@ impl Found<'_> {
                 order: term.location().order.map(f64::round),
                 at_s: term.location().at_s.map(f64::round),
                 reference: None,
+                law: None,
                 ..*term.location()
             };
             format!("{} {place:?}", term.id())
@@ -90,8 +91,20 @@ impl Found<'_> {
         (evidence + doubt, projection)
     }
 
+    /// Evidence for what another search has found in the same records in place of this: negative where that is better.
+    ///
+    /// # Errors
+    /// [`NoPose`] when the model cannot place a record.
+    pub fn against(&self, other: &Found<'a>, ground: &Ground<'a>) -> Result<f64, NoPose> {
+        let (fit, _) = ground.fit_like(&self.fitted, &other.fitted.terms)?;
+        let rows = fit.residuals.len() as f64;
+        let price = |found: &Self| found.fitted.terms.iter().map(|term| evidence::price(term, rows)).sum::<f64>();
+        let names = rows * (fit.cost / self.fitted.estimate.fit.cost).ln() + price(other) - price(self);
+        Ok(names + other.evidence_of_free()? - self.evidence_of_free()?)
+    }
+
     /// Evidence, summed up, of what has no name, beyond the names.
-    pub fn evidence_of_free(&self) -> Result<f64, NoPose> {
+    fn evidence_of_free(&self) -> Result<f64, NoPose> {
         let estimate = &self.fitted.estimate;
         let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
         let looked_at = evidence::looked_at(free_functions(&regressors).len() as f64);

@@ -17,6 +17,7 @@ pub mod left_over;
 pub mod projection;
 pub mod rank;
 pub mod regressors;
+pub mod retell;
 pub mod review;
 pub mod ripple;
 pub mod scan;

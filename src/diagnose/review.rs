@@ -6,9 +6,9 @@ use super::candidate::Candidate;
 use super::evidence::DECIDES;
 use super::found::{CLEARLY_MORE, Found};
 use super::projection::Gain;
-use super::rank::{Cause, Suspect, rank, searched, suspects};
+use super::rank::{Cause, Ranked, Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
-use super::scan::{SAME_ORDER, other_orders};
+use super::scan::{SAME_ORDER, order_interval, other_orders};
 
 /// What is known of a named cause, all others modelled.
 #[derive(Clone, Debug)]
@@ -25,6 +25,8 @@ pub struct Review {
     pub better: Option<Other>,
     /// Named causes that these records cannot tell from it.
     pub rivals: Vec<Candidate>,
+    /// Between which orders a periodic error's lies.
+    pub order_95: Option<[f64; 2]>,
 }
 
 /// Another cause in the place of a found one.
@@ -86,8 +88,15 @@ pub fn review(found: &Found<'_>) -> Result<Vec<Review>, NoPose> {
             Cause::Named(candidate) => !known(candidate),
             Cause::Free(_) => other.gain.explained > CLEARLY_MORE * gain.explained,
         });
+        // A law with more numbers pays for them when a name is chosen. Whether the records speak against it is another question:
+        // for that they cost what they gain by chance (Akaike 1974).
+        let left =
+            |gain: &Gain| projection.rows as f64 * (projection.cost - gain.explained).max(f64::MIN_POSITIVE).ln();
+        let misfit = |gain: &Gain| left(gain) + 2.0 * gain.rank as f64;
+        let limit = misfit(&gain) + DECIDES;
+        let stands = |other: &&Ranked<'_>| other.evidence < evidence + DECIDES || misfit(&other.gain) < limit;
         let mut rivals: Vec<Candidate> = Vec::new();
-        for other in ranked.iter().take_while(|other| other.evidence < (evidence + DECIDES).min(0.0)) {
+        for other in ranked.iter().take_while(|other| other.evidence < 0.0).filter(stands) {
             let Some(candidate) = other.suspect.candidate() else { continue };
             let others = fitted.terms.iter().enumerate().filter(|(other, _)| *other != term).map(|(_, other)| other);
             let told = others.chain(&rivals).any(|known| known.same_as(candidate)) || is_same_answer(candidate, own);
@@ -102,6 +111,7 @@ pub fn review(found: &Found<'_>) -> Result<Vec<Review>, NoPose> {
             gain,
             better: better.map(|other| Other { cause: other.suspect.cause.clone(), evidence: other.evidence }),
             rivals,
+            order_95: order_interval(own, &regressors, &projection),
         }
     };
     Ok((0..fitted.terms.len()).map(of_term).collect())

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use crate::model::arm::EffectInstance;
-use crate::model::effect::{EFFECTS, Effect, Location, MovingFrame, Place};
+use crate::model::effect::{EFFECTS, Effect, Location, MovingFrame, Place, SpringLaw};
 use crate::model::robot::DOF;
 
 use super::candidate::{Candidate, FRAMES, is_told, with_companion};
@@ -35,11 +35,25 @@ const FEWEST_ON_A_SIDE: usize = 8;
 const MOMENTS: usize = 48;
 /// Rounds of narrowing a constant.
 const NARROWINGS: usize = 12;
-/// Effects that change their behaviour at a torque, with the smallest and largest such torque that is tried, in parts of
-/// the joint's largest torque in the recording, and the factor between two of them: friction holds half a per cent or nearly
-/// all; a knee below a twentieth is play, one far beyond all torques a cubic law.
-const TURNING_TORQUES: [(&str, f64, f64, f64); 2] =
-    [("backlash", 0.005, 0.8, 1.15), ("joint_stiffening", 0.05, 3.0, 1.3)];
+/// Torques at which an effect may change its behaviour.
+struct Turning {
+    effect: &'static str,
+    law: Option<SpringLaw>,
+    /// The smallest and the largest, in parts of the joint's largest torque in the recording, and the factor between two that
+    /// are tried.
+    low: f64,
+    high: f64,
+    factor: f64,
+}
+
+/// Friction holds half a per cent or nearly all; a knee below a twentieth is play, a rounded one far beyond all torques a
+/// cubic law.
+const TURNING_TORQUES: [Turning; 4] = [
+    Turning { effect: "backlash", law: None, low: 0.005, high: 0.8, factor: 1.15 },
+    Turning { effect: "joint_stiffening", law: None, low: 0.05, high: 3.0, factor: 1.3 },
+    Turning { effect: "joint_stiffening", law: Some(SpringLaw::Cubic), low: 0.05, high: 3.0, factor: 1.3 },
+    Turning { effect: "joint_stiffening", law: Some(SpringLaw::Knee), low: 0.05, high: 0.95, factor: 1.15 },
+];
 
 /// Times in which a drift may level off, in parts of the recording's duration: the shortest, the longest (nearly steady), and
 /// the factor between two of them.
@@ -60,9 +74,8 @@ pub fn tuned(candidate: &Candidate, regressors: &Regressors<'_, '_>, projection:
     let joint = location.joint_index();
     let again = match effect.meta().place {
         Place::JointOrder if candidate.chosen_constants > 0 => best_order(effect, joint?, regressors, projection),
-        Place::Joint if candidate.chosen_constants > 0 => {
-            let (_, low, high, factor) = TURNING_TORQUES.into_iter().find(|known| known.0 == candidate.id())?;
-            best_turning_torque(effect, joint?, (low, high, factor), regressors, projection)
+        Place::Joint | Place::JointLaw if candidate.chosen_constants > 0 => {
+            best_turning_torque(effect, joint?, regressors, projection)
         }
         Place::Frame => levelling_drift(location.frame?, regressors, projection),
         Place::FrameMoment => moments_of(effect, regressors, projection)
@@ -80,9 +93,9 @@ pub fn tuned(candidate: &Candidate, regressors: &Regressors<'_, '_>, projection:
 fn turning_torques(regressors: &Regressors<'_, '_>, projection: &Projection) -> Vec<Candidate> {
     let model = regressors.model();
     let mut found = Vec::new();
-    for (id, low, high, factor) in TURNING_TORQUES {
-        let Some(&effect) = EFFECTS.iter().find(|effect| effect.meta().id == id) else { continue };
-        if !is_told(effect, model, regressors.problem) {
+    for &effect in EFFECTS {
+        let id = effect.meta().id;
+        if TURNING_TORQUES.iter().all(|turning| turning.effect != id) || !is_told(effect, model, regressors.problem) {
             continue;
         }
         let known = |joint: usize| {
@@ -94,7 +107,7 @@ fn turning_torques(regressors: &Regressors<'_, '_>, projection: &Projection) -> 
         found.extend(
             (0..DOF)
                 .filter(|&joint| !known(joint))
-                .filter_map(|joint| best_turning_torque(effect, joint, (low, high, factor), regressors, projection)),
+                .filter_map(|joint| best_turning_torque(effect, joint, regressors, projection)),
         );
     }
     found
@@ -103,7 +116,6 @@ fn turning_torques(regressors: &Regressors<'_, '_>, projection: &Projection) -> 
 fn best_turning_torque(
     effect: &'static dyn Effect,
     joint: usize,
-    (low, high, factor): (f64, f64, f64),
     regressors: &Regressors<'_, '_>,
     projection: &Projection,
 ) -> Option<Candidate> {
@@ -112,19 +124,25 @@ fn best_turning_torque(
     if largest_nm < SMALLEST_TORQUE_NM {
         return None;
     }
-    let instances = |share: f64| {
-        let location = Location { reference: Some(share * largest_nm), ..Location::at_joint(joint) };
+    let instances = |law: Option<SpringLaw>, share: f64| {
+        let location = Location { reference: Some(share * largest_nm), law, ..Location::at_joint(joint) };
         with_companion(effect, location, regressors.model())
     };
-    let explained = |share: f64| projection.gain(&columns_through(regressors, &instances(share))).explained;
-    let count = ((high / low).ln() / factor.ln()).ceil() as usize;
-    let (best, _) = (0..=count)
-        .into_par_iter()
-        .map(|step| low * factor.powi(step as i32))
-        .map(|share| (share, explained(share)))
-        .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let share = narrowed(best / factor, best * factor, explained);
-    Some(Candidate { instances: instances(share), places: DOF as f64, chosen_constants: 1 })
+    let explained = |law, share: f64| projection.gain(&columns_through(regressors, &instances(law, share))).explained;
+    let laws = TURNING_TORQUES.iter().filter(|turning| turning.effect == effect.meta().id);
+    let best_of_law = |turning: &Turning| {
+        let &Turning { law, low, high, factor, .. } = turning;
+        let count = ((high / low).ln() / factor.ln()).ceil() as i32;
+        let (best, _) = (0..=count)
+            .into_par_iter()
+            .map(|step| (low * factor.powi(step)).min(high))
+            .map(|share| (share, explained(law, share)))
+            .max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let share = narrowed(best / factor, (best * factor).min(high), |share| explained(law, share));
+        Some((law, share, explained(law, share)))
+    };
+    let (law, share, _) = laws.filter_map(best_of_law).max_by(|a, b| a.2.total_cmp(&b.2))?;
+    Some(Candidate { instances: instances(law, share), places: DOF as f64, chosen_constants: 1 })
 }
 
 /// Joints that never bear more than this show no law of their torque, Nm.
@@ -185,6 +203,38 @@ pub fn other_orders(
     });
     let apart = |found: &Candidate| found.location().order.is_some_and(|other| (other - order).abs() >= SAME_ORDER);
     both.chain(next).filter(apart).collect()
+}
+
+/// Orders between which that of a periodic candidate lies with 95 %, whole or not: those that explain no less than the best
+/// one near it by more than the likelihood ratio allows (Wilks 1938). `None` for a candidate without an order.
+pub fn order_interval(
+    candidate: &Candidate,
+    regressors: &Regressors<'_, '_>,
+    projection: &Projection,
+) -> Option<[f64; 2]> {
+    /// Steps on a line's width to either side.
+    const STEPS: i32 = 40;
+    /// The 95 % point of chi squared with one degree of freedom.
+    const CHI2_95: f64 = 3.841;
+    let (order, joint) = (candidate.location().order?, candidate.location().joint_index()?);
+    let width = std::f64::consts::TAU / range(&values(regressors, Variable::Position(joint)));
+    let near: Vec<(f64, f64)> = (-STEPS..=STEPS)
+        .into_par_iter()
+        .map(|step| order + width * f64::from(step) / f64::from(STEPS))
+        .filter(|order| *order > 0.0)
+        .map(|order| {
+            let location = Location { order: Some(order), ..*candidate.location() };
+            let instance = EffectInstance { location, ..candidate.instances[0] };
+            (order, projection.gain(&regressors.through(&instance)).explained)
+        })
+        .collect();
+    let most = near.iter().map(|(_, explained)| *explained).fold(0.0, f64::max);
+    let noise = (projection.cost - most).max(0.0) / (projection.rows as f64 - projection.free as f64).max(1.0);
+    let agreeing = near.into_iter().filter(|(_, explained)| most - explained <= CHI2_95 * noise);
+    let [low, high] =
+        agreeing.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], (order, _)| [low.min(order), high.max(order)]);
+    let half_a_step = 0.5 * width / f64::from(STEPS);
+    Some([(low - half_a_step).max(0.0), high + half_a_step])
 }
 
 /// A line of a joint's spectrum, told in two ways.

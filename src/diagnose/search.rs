@@ -15,6 +15,7 @@ use super::hold_out::Blocks;
 use super::projection::Projection;
 use super::rank::{Cause, Ranked, Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
+use super::retell::retell;
 use super::review::review;
 use super::scan;
 use super::simplify::simplify;
@@ -26,6 +27,8 @@ const MOST_ROUNDS: usize = 40;
 const MOST_CAUSES: usize = 24;
 /// Records that are searched at most: what shows in these is decided, and motion sampled quicker repeats itself.
 pub const MOST_SEARCHED: usize = 800;
+/// Times that what was found at a place is told anew.
+const MOST_RETOLD: usize = 4;
 /// Exchanges of one cause for a better one.
 const MOST_EXCHANGES: usize = 4;
 /// A cause that takes away more than this part of what is left moves everything else: the rest is looked at again only
@@ -74,6 +77,10 @@ pub fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u6
             found = named;
         }
         simplify(&mut found, ground)?;
+        for _ in 0..MOST_RETOLD {
+            let Some(better) = retell(&found, ground, &mut random)? else { break };
+            found = better;
+        }
         found.reviews = review(&found)?;
         if exchanges == MOST_EXCHANGES || !found.exchange_one(ground)? {
             return Ok(found);
@@ -86,7 +93,10 @@ pub fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u6
 
 impl<'a> Found<'a> {
     /// Takes in what the residuals show until they show nothing more.
-    fn add_all(&mut self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<(), NoPose> {
+    ///
+    /// # Errors
+    /// [`NoPose`] when the model cannot place a record.
+    pub fn add_all(&mut self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<(), NoPose> {
         let mut seen = vec![self.names()];
         while self.fitted.terms.len() + self.free.len() < MOST_CAUSES && self.add_some(ground, random)? {
             self.tune(ground)?;
@@ -110,11 +120,7 @@ impl<'a> Found<'a> {
         let mut named = Self { free: Vec::new(), names_only: true, ..self.clone() };
         named.add_all(ground, random)?;
         named.names_only = false;
-        let (fit, _) = ground.fit_like(&self.fitted, &named.fitted.terms)?;
-        let (rows, cost) = (fit.residuals.len() as f64, self.fitted.estimate.fit.cost);
-        let price = |found: &Self| found.fitted.terms.iter().map(|term| evidence::price(term, rows)).sum::<f64>();
-        let without_names = rows * (fit.cost / cost).ln() + price(&named) - price(self);
-        Ok((without_names <= self.evidence_of_free()?).then_some(named))
+        Ok((self.against(&named, ground)? <= 0.0).then_some(named))
     }
 
     /// Takes in what the residuals show; false when they show nothing more.
@@ -198,7 +204,10 @@ impl<'a> Found<'a> {
     }
 
     /// Takes out every cause that the others have made idle.
-    fn drop_idle(&mut self, ground: &Ground<'a>) -> Result<(), NoPose> {
+    ///
+    /// # Errors
+    /// [`NoPose`] when the model cannot place a record.
+    pub fn drop_idle(&mut self, ground: &Ground<'a>) -> Result<(), NoPose> {
         loop {
             let estimate = self.fitted.estimate.clone();
             let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;

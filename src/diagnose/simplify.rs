@@ -51,7 +51,8 @@ fn without<'a>(found: &Found<'a>, ground: &Ground<'a>, term: usize) -> Result<Op
 /// True for a cause whose law has a constant that was searched for.
 fn has_a_searched_law(candidate: &Candidate) -> bool {
     let place = candidate.effect().meta().place;
-    matches!(place, Place::Frame | Place::FrameMoment) || (place == Place::Joint && candidate.chosen_constants > 0)
+    matches!(place, Place::Frame | Place::FrameMoment)
+        || (matches!(place, Place::Joint | Place::JointLaw) && candidate.chosen_constants > 0)
 }
 
 /// True when two causes act at the same joint or frame.

@@ -17,7 +17,7 @@ const PAIRS: usize = 10;
 /// is large and yet shows in few halves hangs on few records.
 pub fn stability(fitted: &Fitted<'_>, term: usize, seed: u64) -> f64 {
     let problem = &fitted.estimate.problem;
-    let (free, residuals) = fitted.free_without(Some(term));
+    let (free, residuals) = fitted.free_without(&[term]);
     let columns = fitted.columns_of(term);
     let firsts = problem.first_rows();
     let rows_of = |record: usize| firsts[record]..firsts[record] + problem.records[record].measured.numbers();

@@ -25,8 +25,9 @@ pub fn headline(diagnosis: &Diagnosis<'_>) -> String {
 /// A finding in a sentence.
 pub fn of_finding(finding: &Finding) -> String {
     let meta = finding.instance.effect.meta();
-    let numbers: Vec<String> =
-        finding.values.iter().map(|value| format!("{} {}", value.name, with_unit(value.value, value.unit))).collect();
+    let values = finding.values.iter().map(|value| format!("{} {}", value.name, with_unit(value.value, value.unit)));
+    let order = finding.order_95.map(|[low, high]| format!("order between {low:.2} and {high:.2}"));
+    let numbers: Vec<String> = values.chain(order).collect();
     let [before, after] = finding.held_out_rms_mm;
     format!(
         "{}: {} ({}): {:.0} % of the remaining error; held-out RMS {before:.3} -> {after:.3} mm.",

@@ -31,26 +31,55 @@ pub fn names_tell_it(
 ) -> Option<usize> {
     let everything: Vec<&Suspect> = standing.iter().collect();
     let names: Vec<&Suspect> = standing.iter().filter(|suspect| suspect.candidate().is_some()).collect();
-    let told_from = |first: &Ranked<'_>, by: &[&Suspect]| {
-        first.evidence + told(by, regressors, &projection.with(&first.suspect.columns), MOST_CAUSES - 1)
+    let evidence_from = |first: &Ranked<'_>, by: &[&Suspect]| {
+        told_from(first, by, Some(regressors), projection, (MOST_CAUSES, &|_| 0.0)).evidence
     };
-    let stories = named.iter().take(BEGINNINGS).map(|first| told_from(first, &names)).enumerate();
+    let stories = named.iter().take(BEGINNINGS).map(|first| evidence_from(first, &names)).enumerate();
     let (best, evidence) = stories.min_by(|a, b| a.1.total_cmp(&b.1))?;
     // A story that has not come as far as the other one's beginning need not be compared with its end.
-    (evidence < function.evidence && evidence <= told_from(function, &everything)).then_some(best)
+    (evidence < function.evidence && evidence <= evidence_from(function, &everything)).then_some(best)
 }
 
-/// Evidence, summed up, of the causes that a forward search takes in.
-fn told(standing: &[&Suspect], regressors: &Regressors<'_, '_>, projection: &Projection, most: usize) -> f64 {
-    let mut projection = projection.clone();
-    let mut total = 0.0;
-    for _ in 0..most {
-        let fine = searched(regressors, &projection);
+/// What a forward search takes in, to first order.
+#[derive(Clone, Debug)]
+pub struct Story {
+    /// Evidence, summed up.
+    pub evidence: f64,
+    /// One after the other.
+    pub causes: Vec<Suspect>,
+}
+
+/// The story that begins with a suspect.
+///
+/// # Arguments
+/// * `regressors` - to search the constants of places anew at each step
+/// * `most` - causes at most
+/// * `least` - squares that a further cause must explain of a projection
+pub fn told_from(
+    first: &Ranked<'_>,
+    standing: &[&Suspect],
+    regressors: Option<&Regressors<'_, '_>>,
+    projection: &Projection,
+    (most, least): (usize, &dyn Fn(&Projection) -> f64),
+) -> Story {
+    let mut projection = projection.with(&first.suspect.columns);
+    let mut story = Story { evidence: first.evidence, causes: vec![first.suspect.clone()] };
+    while story.causes.len() < most {
+        let fine = regressors.map_or_else(Vec::new, |regressors| searched(regressors, &projection));
         let all: Vec<&Suspect> = fine.iter().chain(standing.iter().copied()).collect();
         let ranked = rank(&all, &projection);
-        let Some(best) = ranked.first().filter(|best| best.evidence < -DECIDES) else { break };
-        total += best.evidence;
+        let least = least(&projection);
+        let is_new = |suspect: &Suspect| {
+            let Some(candidate) = suspect.candidate() else { return true };
+            !story.causes.iter().filter_map(Suspect::candidate).any(|told| told.same_as(candidate))
+        };
+        let sound = |ranked: &&Ranked<'_>| {
+            ranked.evidence < -DECIDES && ranked.gain.explained > least && is_new(ranked.suspect)
+        };
+        let Some(best) = ranked.iter().find(sound) else { break };
+        story.evidence += best.evidence;
         projection = projection.with(&best.suspect.columns);
+        story.causes.push(best.suspect.clone());
     }
-    total
+    story
 }

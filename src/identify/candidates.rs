@@ -39,7 +39,7 @@ fn places(place: Place, observations: &[&Observation]) -> Vec<Location> {
     let here = Location::default();
     let frames = [MovingFrame::Base, MovingFrame::Tool];
     match place {
-        Place::Joint | Place::JointOwnOrder => (0..DOF).map(Location::at_joint).collect(),
+        Place::Joint | Place::JointLaw | Place::JointOwnOrder => (0..DOF).map(Location::at_joint).collect(),
         Place::Link => (1..=DOF).map(|link| Location { link: Some(link), ..here }).collect(),
         Place::Base => vec![Location { base: Some(true), ..here }],
         Place::Payload => vec![Location { payload: Some(true), ..here }],

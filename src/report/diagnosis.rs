@@ -77,6 +77,9 @@ pub struct FindingPart {
     pub evidence: EvidencePart,
     /// Those that this recording cannot tell from it.
     pub alternatives: Vec<AlternativePart>,
+    /// Interval that holds the order of a periodic error with 95 %.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order_ci95: Option<[f64; 2]>,
     /// In a sentence.
     pub statement: String,
 }
@@ -235,6 +238,7 @@ fn finding(finding: &Finding) -> FindingPart {
             .iter()
             .map(|rival| AlternativePart { effect: rival.effect, location: rival.location })
             .collect(),
+        order_ci95: finding.order_95,
         statement: of_finding(finding),
     }
 }

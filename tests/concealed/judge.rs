@@ -148,9 +148,9 @@ fn fates(spec: &Spec, truth: &Truth, report: &Value) -> Vec<Judged> {
             if accepts(&one.cause, effect, location, truth) {
                 return Fate::Placed;
             }
-            let beside = names(&finding["alternatives"]);
-            let offered = beside.iter().any(|(effect, location)| accepts(&one.cause, effect, location, truth));
-            if offered && truth.bench.apart(index, effect, location).is_some_and(|apart| apart < APART) {
+            if offered(finding, &one.cause, truth)
+                && truth.bench.apart(index, effect, location).is_some_and(|apart| apart < APART)
+            {
                 fate = Fate::Equivalent;
             } else if fate == Fate::Missed && name_of(&one.cause) == Some(effect) {
                 fate = Fate::Misplaced;
@@ -185,11 +185,27 @@ fn justified(spec: &Spec, truth: &Truth, report: &Value, found: &(String, Value)
         .into_iter()
         .flatten()
         .find(|one| one["effect"].as_str() == Some(effect.as_str()) && one["location"] == *location);
-    let beside = beside.map(|one| names(&one["alternatives"])).unwrap_or_default();
     truth.concealed.iter().enumerate().any(|(index, one)| {
-        let offered = beside.iter().any(|(effect, location)| accepts(&one.cause, effect, location, truth));
-        offered && truth.bench.apart(index, effect, location).is_some_and(|apart| apart < APART)
+        beside.is_some_and(|finding| offered(finding, &one.cause, truth))
+            && truth.bench.apart(index, effect, location).is_some_and(|apart| apart < APART)
     })
+}
+
+/// True when a finding names the truth among its alternatives, or another order of it within its uncertainty.
+fn offered(finding: &Value, cause: &Cause, truth: &Truth) -> bool {
+    let beside = names(&finding["alternatives"]);
+    let within = |order: f64| {
+        let end = |index: usize| finding["order_ci95"][index].as_f64();
+        let told = end(0).zip(end(1)).is_some_and(|(low, high)| (low..=high).contains(&order));
+        let mut location = finding["location"].clone();
+        location["order"] = order.into();
+        told && accepts(cause, finding["effect"].as_str().unwrap_or_default(), &location, truth)
+    };
+    let order = match cause {
+        Cause::Periodic { order, .. } => Some(*order),
+        _ => None,
+    };
+    beside.iter().any(|(effect, location)| accepts(cause, effect, location, truth)) || order.is_some_and(within)
 }
 
 /// What a hardship puts into the records under a name of the table.

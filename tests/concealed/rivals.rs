@@ -115,7 +115,12 @@ impl Bench {
                 let link = index("link")?;
                 [0.0, 2.0].map(|twist_ratio| (Cause::Beam { link, twist_ratio }, 1e-10)).to_vec()
             }
-            "backlash" => vec![(Cause::Backlash { joint: joint?, held_nm: (0.03 * tau(joint?)).max(1.0) }, 1e-4)],
+            "backlash" => {
+                // The torque that the friction is said to hold belongs to the name.
+                let told_nm = location.get("reference").and_then(Value::as_f64);
+                let held_nm = told_nm.unwrap_or((0.03 * tau(joint?)).max(1.0));
+                vec![(Cause::Backlash { joint: joint?, held_nm }, 1e-4)]
+            }
             "friction_windup" => vec![(Cause::Windup { joint: joint? }, 1e-4)],
             "joint_periodic" => {
                 let (joint, order) = (joint?, location.get("order")?.as_f64()?);

@@ -97,6 +97,9 @@ pub struct Concealed {
     pub level: f64,
 }
 
+/// Pause between records without a time column, s (docs/files.md).
+const USUAL_PAUSE_S: f64 = 10.0;
+
 /// What a user has, and what only the judge knows.
 pub struct Trial {
     pub robot_text: String,
@@ -113,7 +116,7 @@ pub struct Truth {
     pub outliers: Vec<String>,
     /// Noise-free points of the poses to predict, m.
     pub points_m: Vec<Vector3<f64>>,
-    /// When the recording ends, s.
+    /// When the recording ends, by its own clock, s.
     pub whole_s: f64,
     /// What tells rivals apart.
     pub bench: Bench,
@@ -210,6 +213,8 @@ fn draw(spec: &Spec, dice: &mut Dice) -> Option<Trial> {
     let (recording_text, outliers) = measurement::written(spec, &measured, dice);
     let (held, held_points_m) = held_out(spec, &file, &bare, &real, &motion, &ranges, habits, whole_s, dice)?;
     let poses_text = measurement::poses(spec, &file, &held);
+    // Without a time column the order is time, at the pace that the program takes for usual.
+    let whole_s = if spec.has(Hardship::NoTime) { USUAL_PAUSE_S * (moments.len() - 1) as f64 } else { whole_s };
     let truth = Truth { arm: id, concealed, sigma_m, outliers, points_m: held_points_m, whole_s, bench };
     Some(Trial { robot_text: as_user_has_it(spec, file)?, recording_text, poses_text, truth })
 }

@@ -1,10 +1,9 @@
 //! The link bends and twists as a beam clamped at its own drive.
 //!
 //! Euler and Bernoulli: at the far end of a straight uniform beam of length `L` along `u`, under the force `F` and the
-//! moment `M` that hang there and its own weight `W` spread evenly (subscript t: the part across `u`),
-//! `shift = b (F_t L^3/3 + M_t x u L^2/2 + W_t L^3/8)`,
-//! `turn  = b (u x F_t L^2/2 + M_t L + u x W_t L^2/6) + t L (u.M) u`, with `b = 1/EI` the same across all directions
-//! and `t = 1/GJ`. `u` and `L` go from the link's own axis frame to the next one's (see [`Context::link_ends_m`]);
+//! moment `M` that hang there (subscript t: the part across `u`), `shift = b (F_t L^3/3 + M_t x u L^2/2)`,
+//! `turn  = b (u x F_t L^2/2 + M_t L) + t L (u.M) u`, with `b = 1/EI` the same across all directions and `t = 1/GJ`. The
+//! link's own weight is left out: most of a casting's mass sits at its two ends, and what it bends the drive's spring takes. `u` and `L` go from the link's own axis frame to the next one's (see [`Context::link_ends_m`]);
 //! everything in the robot base. A link that these frames give no length has no beam.
 //!
 //! In a parallelogram no moment passes about the pin at the arm's end itself: the coupler takes it, as a couple of forces
@@ -44,11 +43,10 @@ static META: EffectMeta = EffectMeta {
 /// Length, m, below which a link is no beam.
 const SHORTEST_M: f64 = 1e-3;
 
-/// What loads a beam, in one frame: N and Nm.
+/// What loads a beam at its end, in one frame: N and Nm.
 struct BeamLoad<T: Real> {
     end_force: Vector3<T>,
     end_moment: Vector3<T>,
-    own_weight: Vector3<T>,
 }
 
 impl Physics for LinkFlexibility {
@@ -74,9 +72,7 @@ fn beam_load<T: Real>(context: &Context<'_, T>, link: usize, far: &Vector3<T>) -
     let statics = context.statics;
     let gravity = &statics.gravity_m_s2;
     let beyond = statics.beyond_link(link);
-    let end_moment = beyond.moment_about(far, gravity);
-    let own_kg = statics.outboard[link].mass_kg - beyond.mass_kg;
-    BeamLoad { end_force: beyond.weight(gravity), end_moment, own_weight: gravity * own_kg }
+    BeamLoad { end_force: beyond.weight(gravity), end_moment: beyond.moment_about(far, gravity) }
 }
 
 /// Shift, m, and turn, rad, of the free end of the beam. See the module for the equations.
@@ -84,14 +80,11 @@ fn far_end<T: Real>(beam: &Vector3<T>, load: &BeamLoad<T>, bending: T, torsion: 
     let length = beam.norm();
     let along = beam / length;
     let across = |v: &Vector3<T>| v - along * along.dot(v);
-    let (force, moment, weight) = (across(&load.end_force), across(&load.end_moment), across(&load.own_weight));
+    let (force, moment) = (across(&load.end_force), across(&load.end_moment));
     let part = |divisor: f64| T::constant(1.0 / divisor);
     let square = length * length;
-    let shift = force * (square * length * part(3.0))
-        + moment.cross(&along) * (square * part(2.0))
-        + weight * (square * length * part(8.0));
-    let bent =
-        along.cross(&force) * (square * part(2.0)) + moment * length + along.cross(&weight) * (square * part(6.0));
+    let shift = force * (square * length * part(3.0)) + moment.cross(&along) * (square * part(2.0));
+    let bent = along.cross(&force) * (square * part(2.0)) + moment * length;
     let twisted = along * (along.dot(&load.end_moment) * length);
     (shift * bending, bent * bending + twisted * torsion)
 }
@@ -108,8 +101,7 @@ mod tests {
         for slice in 0..SLICES {
             let s = (slice as f64 + 0.5) * step;
             let to_end = Vector3::x() * (length - s);
-            let weight_beyond = load.own_weight * ((length - s) / length);
-            let moment = load.end_moment + to_end.cross(&load.end_force) + (to_end * 0.5).cross(&weight_beyond);
+            let moment = load.end_moment + to_end.cross(&load.end_force);
             let curved = Vector3::new(moment.x * torsion, moment.y * bending, moment.z * bending) * step;
             // Each slice's turn carries the rest of the beam with it.
             shift += curved.cross(&to_end);
@@ -123,7 +115,6 @@ mod tests {
         let load = BeamLoad {
             end_force: Vector3::new(300.0, -2000.0, 700.0),
             end_moment: Vector3::new(400.0, 900.0, -1500.0),
-            own_weight: Vector3::new(50.0, -800.0, 250.0),
         };
         let (length, bending, torsion) = (1.7, 3e-8, 5e-8);
         let (shift, turn) = far_end(&Vector3::new(length, 0.0, 0.0), &load, bending, torsion);
@@ -135,11 +126,7 @@ mod tests {
     #[test]
     fn a_cantilever_with_an_end_load_sinks_by_the_handbook_value() {
         // 10 kN at 1.5 m on EI = 4e7 Nm^2: F L^3 / 3EI = 0.28125 mm, slope F L^2 / 2EI = 0.28125 mrad, nose down.
-        let load = BeamLoad {
-            end_force: Vector3::new(0.0, 0.0, -1e4),
-            end_moment: Vector3::zeros(),
-            own_weight: Vector3::zeros(),
-        };
+        let load = BeamLoad { end_force: Vector3::new(0.0, 0.0, -1e4), end_moment: Vector3::zeros() };
         let (shift, turn) = far_end(&Vector3::new(1.5, 0.0, 0.0), &load, 1.0 / 4e7, 0.0);
         assert!((shift - Vector3::new(0.0, 0.0, -2.8125e-4)).norm() < 1e-12);
         assert!((turn - Vector3::new(0.0, 2.8125e-4, 0.0)).norm() < 1e-12);

@@ -42,6 +42,19 @@ pub struct Location {
     /// (the torque that friction holds), or the time in which it levels off.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reference: Option<f64>,
+    /// How a spring that is not straight bends; without it, by a rounded knee.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub law: Option<SpringLaw>,
+}
+
+/// How a spring that is not straight bends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum SpringLaw {
+    /// Straight up to a torque and straight, with another slope, beyond it.
+    Knee,
+    /// A spring whose torque has a cubic part.
+    Cubic,
 }
 
 /// A frame that can move during a recording.
@@ -101,6 +114,8 @@ impl fmt::Display for Location {
 pub enum Place {
     /// `joint`.
     Joint,
+    /// `joint`, and `law` where the usual one does not hold.
+    JointLaw,
     /// `joint` and `order`.
     JointOrder,
     /// `joint`, and `order` where the effect's usual one does not hold.
@@ -125,7 +140,7 @@ impl Place {
     /// The fields of [`Location`] that name this place.
     pub fn fields(self) -> &'static [&'static str] {
         match self {
-            Place::Joint | Place::JointOwnOrder => &["joint"],
+            Place::Joint | Place::JointLaw | Place::JointOwnOrder => &["joint"],
             Place::JointOrder => &["joint", "order"],
             Place::JointPair => &["joint", "source_joint"],
             Place::Link => &["link"],
@@ -139,12 +154,12 @@ impl Place {
 
     /// True where an effect is an error of its joint's angle.
     pub fn turns_its_joint(self) -> bool {
-        matches!(self, Place::Joint | Place::JointOrder | Place::JointPair)
+        matches!(self, Place::Joint | Place::JointLaw | Place::JointOrder | Place::JointPair)
     }
 
     /// A field that a location may have beside these.
     fn may_have(self, field: &str) -> bool {
-        self == Place::JointOwnOrder && field == "order"
+        matches!((self, field), (Place::JointOwnOrder, "order") | (Place::JointLaw, "law"))
     }
 
     /// True when a location has exactly these fields (a reference value may come with any).
@@ -160,6 +175,7 @@ impl Place {
             ("payload", location.payload == Some(true)),
             ("base", location.base == Some(true)),
             ("clock", location.clock == Some(true)),
+            ("law", location.law.is_some()),
         ];
         location.order.is_none_or(is_order)
             && present

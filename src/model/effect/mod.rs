@@ -37,7 +37,7 @@ mod thermal_growth;
 mod time_offset;
 
 pub use card::{EffectMeta, Follows, Needs, ParameterMeta};
-pub use location::{Location, MovingFrame, Place};
+pub use location::{Location, MovingFrame, Place, SpringLaw};
 pub use response::Response;
 
 /// Every effect that the tool knows, in the order of its contract's table.

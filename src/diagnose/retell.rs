@@ -1,0 +1,150 @@
+//! The causes of one place told again, all others kept.
+//!
+//! A search takes in one cause after the other. Two wrong ones can hold each other up (the orders 3 and 4 of a joint that
+//! stand for 6), and one can stand for two that are weaker one by one; no exchange of one for one finds that out. So what was
+//! found at one place is taken out together, and the records are told what they show from there, to first order, each time
+//! with another beginning. Where such a story is clearly better than what stood there, it is fitted, and the search goes on
+//! from it; it stays when the whole of it is clearly better than the whole of what was found before.
+
+use rand_chacha::ChaCha8Rng;
+
+use crate::identify::problem::NoPose;
+use crate::model::effect::Location;
+
+use super::candidate::Candidate;
+use super::check::holds;
+use super::evidence::{self, DECIDES};
+use super::fitted::Ground;
+use super::found::{Found, joined};
+use super::projection::Projection;
+use super::rank::{Cause, Suspect, rank, searched, suspects};
+use super::regressors::Regressors;
+use super::story::{Story, told_from};
+
+/// Names with which a story is begun.
+const BEGINNINGS: usize = 3;
+/// Causes of a story beyond those that stood in its place.
+const FURTHER: usize = 2;
+
+/// A better account of one of the places, with all that follows from it; `None` where there is none.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn retell<'a>(
+    found: &Found<'a>,
+    ground: &Ground<'a>,
+    random: &mut ChaCha8Rng,
+) -> Result<Option<Found<'a>>, NoPose> {
+    if found.fitted.terms.is_empty() {
+        return Ok(None);
+    }
+    let estimate = &found.fitted.estimate;
+    let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
+    let mut standing = suspects(&regressors)?;
+    standing.retain(|suspect| suspect.candidate().is_some());
+    for place in places(&found.fitted.terms) {
+        let Some(story) = better_story(found, &place, &standing, &regressors) else { continue };
+        if let Some(other) = told_again(found, &place, &story, ground, random)? {
+            return Ok(Some(other));
+        }
+    }
+    Ok(None)
+}
+
+/// Which terms sit at the same joint, link or frame.
+fn places(terms: &[Candidate]) -> Vec<Vec<usize>> {
+    let seat = |term: &Candidate| {
+        let &Location { joint, link, frame, payload, base, clock, .. } = term.location();
+        (joint, link, frame, payload, base, clock)
+    };
+    let mut places: Vec<Vec<usize>> = Vec::new();
+    for (index, term) in terms.iter().enumerate() {
+        match places.iter_mut().find(|place| seat(&terms[place[0]]) == seat(term)) {
+            Some(place) => place.push(index),
+            None => places.push(vec![index]),
+        }
+    }
+    places
+}
+
+/// A story, to first order, that is clearly better than the causes of a place.
+fn better_story(
+    found: &Found<'_>,
+    place: &[usize],
+    standing: &[Suspect],
+    regressors: &Regressors<'_, '_>,
+) -> Option<Story> {
+    let fitted = &found.fitted;
+    let projection = found
+        .free
+        .iter()
+        .fold(fitted.projection_without(place), |projection, free| projection.with(&free.columns(regressors)));
+    let own: Vec<Suspect> = place
+        .iter()
+        .map(|&term| {
+            let candidate = fitted.terms[term].clone();
+            let looked_at = evidence::looked_at(candidate.places);
+            Suspect { cause: Cause::Named(candidate), columns: fitted.columns_of(term), looked_at }
+        })
+        .collect();
+    let before = evidence_of(&own, &projection);
+    let fine = searched(regressors, &projection);
+    let all: Vec<&Suspect> = own.iter().chain(&fine).chain(standing).collect();
+    let (most, least) = (place.len() + FURTHER, |projection: &Projection| found.least(projection));
+    let stories = rank(&all, &projection)
+        .into_iter()
+        .take(BEGINNINGS)
+        .map(|first| told_from(&first, &all, None, &projection, (most, &least)));
+    stories.min_by(|a, b| a.evidence.total_cmp(&b.evidence)).filter(|story| story.evidence < before - DECIDES)
+}
+
+/// Evidence, summed up, of causes taken in one after the other.
+fn evidence_of(causes: &[Suspect], projection: &Projection) -> f64 {
+    let mut projection = projection.clone();
+    let mut total = 0.0;
+    for cause in causes {
+        total += cause.evidence(&projection.gain(&cause.columns), &projection);
+        projection = projection.with(&cause.columns);
+    }
+    total
+}
+
+/// What a search finds that goes on from a story, where that is clearly better.
+fn told_again<'a>(
+    found: &Found<'a>,
+    place: &[usize],
+    story: &Story,
+    ground: &Ground<'a>,
+    random: &mut ChaCha8Rng,
+) -> Result<Option<Found<'a>>, NoPose> {
+    let kept = found.fitted.terms.iter().enumerate().filter(|(index, _)| !place.contains(index));
+    let kept: Vec<Candidate> = kept.map(|(_, term)| term.clone()).collect();
+    let told = story.causes.iter().filter_map(Suspect::candidate);
+    let terms = told.fold(kept, |terms, cause| joined(&terms, cause));
+    // A cause with which the arm does not stand is none.
+    let Ok(fitted) = ground.refit(&found.fitted, &terms, &[]) else { return Ok(None) };
+    let mut other = Found { fitted, reviews: Vec::new(), ..found.clone() };
+    other.tune(ground)?;
+    other.drop_idle(ground)?;
+    other.add_all(ground, random)?;
+    let better = other.names() != found.names() && found.against(&other, ground)? < -DECIDES;
+    Ok((better && all_hold(&other, found, random)?).then_some(other))
+}
+
+/// True when every cause that is new stands up to what is asked of one that a search takes in.
+fn all_hold(other: &Found<'_>, before: &Found<'_>, random: &mut ChaCha8Rng) -> Result<bool, NoPose> {
+    let fitted = &other.fitted;
+    let regressors = Regressors::new(&fitted.estimate.problem, &fitted.estimate.fit.state)?;
+    for (term, candidate) in fitted.terms.iter().enumerate() {
+        if before.fitted.terms.iter().any(|known| known.same_as(candidate)) {
+            continue;
+        }
+        let projection = other.projection(&regressors, Some(term));
+        let columns = fitted.columns_of(term);
+        let is_large = projection.gain(&columns).explained > other.least(&projection);
+        if !is_large || !holds(&fitted.estimate.problem, &other.blocks, &columns, &projection, random) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
