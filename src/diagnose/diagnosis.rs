@@ -377,7 +377,18 @@ impl Unexplained {
             Some(Seat::Joint(joint)) => Location::at_joint(joint),
             Some(Seat::Base) => frame(MovingFrame::Base),
             Some(Seat::Tool) => frame(MovingFrame::Tool),
-            None => Location::default(),
+            Some(Seat::Tracker(_)) | None => Location::default(),
+        }
+    }
+
+    /// The same in words.
+    pub fn place(&self) -> String {
+        match self.functions.first().map(|function| function.seat) {
+            Some(Seat::Tracker(at_mm)) => {
+                let [x_m, y_m] = at_mm.map(|mm| 1e-3 * f64::from(mm));
+                format!("measurement (as if by a tracker at x {x_m:.1}, y {y_m:.1} m in the robot base)")
+            }
+            _ => self.location().to_string(),
         }
     }
 }

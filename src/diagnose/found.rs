@@ -63,6 +63,7 @@ impl<'a> Found<'a> {
         let here = |term: &usize| match function.seat {
             Seat::Joint(joint) => self.fitted.terms[*term].location().joint_index() == Some(joint),
             Seat::Base | Seat::Tool => self.fitted.terms[*term].location().frame.is_some(),
+            Seat::Tracker(_) => false,
         };
         let explained = (0..self.fitted.terms.len())
             .filter(here)

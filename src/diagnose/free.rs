@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use crate::model::arm::{ArmModel, ArmState};
 use crate::model::effect::{Location, MovingFrame};
 use crate::model::robot::DOF;
 
@@ -24,7 +25,12 @@ pub enum Variable {
     Time,
     /// Temperature.
     Temperature,
+    /// The direction, seen from above, in which a tracker that stands there looks at the point.
+    Beam(Stand),
 }
+
+/// Where a tracker may stand: x and y in the robot base, mm.
+pub type Stand = [i32; 2];
 
 impl Variable {
     /// The word in reports.
@@ -37,6 +43,7 @@ impl Variable {
             Variable::Acceleration(joint) => format!("qdd{}", joint + 1),
             Variable::Time => "t_s".into(),
             Variable::Temperature => "temp_c".into(),
+            Variable::Beam(_) => "beam_azimuth".into(),
         }
     }
 }
@@ -50,6 +57,8 @@ pub enum Seat {
     Base,
     /// It displaces the measured point.
     Tool,
+    /// It turns the beam of a tracker that stands there.
+    Tracker(Stand),
 }
 
 /// An unnamed cause.
@@ -65,6 +74,8 @@ pub struct FreeFunction {
 const DEGREE_OF_PAIR: usize = 4;
 /// ... and in a joint's position alone: a damaged tooth is narrow.
 const DEGREE_ALONE: usize = 20;
+/// Highest degree in the direction of a beam.
+const DEGREE_OF_BEAM: usize = 12;
 /// Highest degree in a variable that is no angle.
 const DEGREE_OTHER: usize = 4;
 
@@ -124,6 +135,7 @@ impl FreeFunction {
             Seat::Joint(joint) => regressors.joints.columns(joint, 1).into_owned(),
             Seat::Base => regressors.base.clone(),
             Seat::Tool => regressors.tool.clone(),
+            Seat::Tracker(at_mm) => about_vertical(&regressors.base, at_mm),
         };
         let rows = regressors.record_of.len();
         let mut columns = DMatrix::zeros(rows, shapes.len() * levers.ncols());
@@ -152,10 +164,27 @@ impl FreeFunction {
                 pairs.skip(1).collect()
             }
             [alone @ Variable::Position(_)] => of(alone, DEGREE_ALONE).into_iter().skip(1).collect(),
+            [alone @ Variable::Beam(_)] => of(alone, DEGREE_OF_BEAM).into_iter().skip(1).collect(),
             [alone] => of(alone, DEGREE_OTHER).into_iter().skip(1).collect(),
             _ => Vec::new(),
         }
     }
+}
+
+/// The lever of a turn about the vertical through a place: about that of the base, and the shift that brings the axis there.
+fn about_vertical(base: &DMatrix<f64>, at_mm: Stand) -> DMatrix<f64> {
+    let [x_m, y_m] = at_mm.map(|mm| 1e-3 * f64::from(mm));
+    let lever = base.column(5) + base.column(0) * y_m - base.column(1) * x_m;
+    DMatrix::from_column_slice(base.nrows(), 1, lever.as_slice())
+}
+
+/// The direction of a beam to the measured point, seen from above, rad: 0 towards the robot base.
+pub fn beam_azimuth_rad(at_mm: Stand, model: &ArmModel, stand: &ArmState<f64>) -> f64 {
+    let point = (stand.base_t_flange * model.prepared().flange_t_tool()).translation;
+    let [x_m, y_m] = at_mm.map(|mm| 1e-3 * f64::from(mm));
+    let (along, across) =
+        (-(point.x - x_m) * x_m - (point.y - y_m) * y_m, (point.x - x_m) * y_m - (point.y - y_m) * x_m);
+    across.atan2(along)
 }
 
 fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
@@ -177,6 +206,7 @@ pub fn values(regressors: &Regressors<'_, '_>, variable: Variable) -> Vec<f64> {
                 Variable::Acceleration(joint) => conditions.acceleration_rad_s2.map_or(0.0, |value| value[joint]),
                 Variable::Time => conditions.time_s.unwrap_or(0.0),
                 Variable::Temperature => conditions.temperature_c.unwrap_or(0.0),
+                Variable::Beam(at_mm) => beam_azimuth_rad(at_mm, regressors.model(), stand),
             }
         })
         .collect()

@@ -27,5 +27,6 @@ pub mod spectrum;
 pub mod stability;
 pub mod statement;
 pub mod story;
+pub mod tracker;
 pub mod updated;
 pub mod worth;

@@ -26,7 +26,8 @@ const BEGINNINGS: usize = 3;
 /// Causes of a story beyond those that stood in its place.
 const FURTHER: usize = 2;
 
-/// A better account of one of the places, with all that follows from it; `None` where there is none.
+/// A better account of one of the places, with all that follows from it; `None` where there is none, and where something was
+/// found that has no name.
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
@@ -35,7 +36,7 @@ pub fn retell<'a>(
     ground: &Ground<'a>,
     random: &mut ChaCha8Rng,
 ) -> Result<Option<Found<'a>>, NoPose> {
-    if found.fitted.terms.is_empty() {
+    if found.fitted.terms.is_empty() || !found.free.is_empty() {
         return Ok(None);
     }
     let estimate = &found.fitted.estimate;
@@ -75,10 +76,7 @@ fn better_story(
     regressors: &Regressors<'_, '_>,
 ) -> Option<Story> {
     let fitted = &found.fitted;
-    let projection = found
-        .free
-        .iter()
-        .fold(fitted.projection_without(place), |projection, free| projection.with(&free.columns(regressors)));
+    let projection = fitted.projection_without(place);
     let own: Vec<Suspect> = place
         .iter()
         .map(|&term| {
@@ -95,7 +93,15 @@ fn better_story(
         .into_iter()
         .take(BEGINNINGS)
         .map(|first| told_from(&first, &all, None, &projection, (most, &least)));
-    stories.min_by(|a, b| a.evidence.total_cmp(&b.evidence)).filter(|story| story.evidence < before - DECIDES)
+    // What only adds to the causes of a place has been looked for and refused.
+    let keeps = |story: &Story, one: &Candidate| {
+        story.causes.iter().filter_map(Suspect::candidate).any(|told| told.same_as(one))
+    };
+    let is_another = |story: &Story| !own.iter().filter_map(Suspect::candidate).all(|one| keeps(story, one));
+    stories
+        .filter(is_another)
+        .min_by(|a, b| a.evidence.total_cmp(&b.evidence))
+        .filter(|story| story.evidence < before - DECIDES)
 }
 
 /// Evidence, summed up, of causes taken in one after the other.

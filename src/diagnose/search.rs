@@ -20,6 +20,7 @@ use super::review::review;
 use super::scan;
 use super::simplify::simplify;
 use super::story::names_tell_it;
+use super::tracker::tracker;
 
 /// Rounds of taking in and refitting.
 const MOST_ROUNDS: usize = 40;
@@ -131,7 +132,8 @@ impl<'a> Found<'a> {
         let mut projection = self.projection(&regressors, None);
         let (mut named, mut fresh, mut grown) = (Vec::<Candidate>::new(), Vec::new(), false);
         while self.fitted.terms.len() + named.len() + self.free.len() < MOST_CAUSES {
-            let fine = searched(&regressors, &projection);
+            let mut fine = searched(&regressors, &projection);
+            fine.extend((!self.names_only).then(|| tracker(&regressors, &projection)).flatten());
             let taken = |suspect: &Suspect| {
                 let Some(candidate) = suspect.candidate() else { return true };
                 !named.iter().any(|known| known.same_as(candidate))

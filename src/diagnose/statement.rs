@@ -43,7 +43,7 @@ pub fn of_unexplained(unexplained: &Unexplained) -> String {
     format!(
         "{:.3} mm RMS at the {} follow {} in a way that no known effect has.",
         unexplained.rms_mm,
-        unexplained.location(),
+        unexplained.place(),
         unexplained.depends_on().join(" and ")
     )
 }

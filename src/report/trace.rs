@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::base::units::{deg_from_rad, mm_from_m};
 use crate::diagnose::diagnosis::Unexplained;
-use crate::diagnose::free::{Seat, Variable};
+use crate::diagnose::free::{Seat, Variable, beam_azimuth_rad};
 use crate::identify::estimate::Estimate;
 use crate::identify::problem::{Record, expected_pose};
 use crate::identify::state::{State, Station};
@@ -76,7 +76,7 @@ pub fn unexplained_traces(estimate: &Estimate<'_>, unexplained: &Unexplained) ->
     let Some(first) = unexplained.functions.first() else { return Vec::new() };
     let joint = match first.seat {
         Seat::Joint(joint) => Some(joint),
-        Seat::Base | Seat::Tool => None,
+        Seat::Base | Seat::Tool | Seat::Tracker(_) => None,
     };
     let state = &estimate.fit.state;
     let parts = parts(estimate, state, joint);
@@ -156,6 +156,7 @@ fn words(variable: Option<Variable>) -> String {
         Variable::Acceleration(joint) => format!("acceleration of joint {}, deg/s\u{b2}", joint + 1),
         Variable::Time => "time, s".into(),
         Variable::Temperature => "temperature, \u{b0}C".into(),
+        Variable::Beam(_) => "direction of the beam, deg".into(),
     }
 }
 
@@ -171,6 +172,10 @@ fn value(variable: Variable, state: &State, observation: &Observation) -> Option
         Variable::Acceleration(joint) => conditions.acceleration_rad_s2.map(|rate| deg_from_rad(rate[joint])),
         Variable::Time => conditions.time_s,
         Variable::Temperature => conditions.temperature_c,
+        Variable::Beam(at_mm) => {
+            let stand = state.model.prepared().at(&observation.numbers_rad, conditions, None).ok()?;
+            Some(deg_from_rad(beam_azimuth_rad(at_mm, &state.model, &stand)))
+        }
         Variable::Approach(joint) => Some(conditions.approach[joint]),
     }
 }
