@@ -59,6 +59,7 @@ fn report() -> DiagnosisReport {
             stability: Some(1.0),
         },
         alternatives: vec![AlternativePart { effect: "friction_windup", location }],
+        order_ci95: None,
         statement: "Joint 2 has play.".into(),
     };
     DiagnosisReport {

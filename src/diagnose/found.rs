@@ -24,6 +24,8 @@ pub struct Found<'a> {
     pub free: Vec<FreeFunction>,
     /// True where none without a name are looked for.
     pub names_only: bool,
+    /// Causes with which the arm would not stand.
+    pub impossible: Vec<Candidate>,
     /// The blocks of held-out figures.
     pub blocks: Blocks,
     /// Sum of squares without any cause over the records searched, m^2.
@@ -90,6 +92,15 @@ impl<'a> Found<'a> {
         let doubt = evidence::doubt(&candidate.instances, &gain.values, &gain.sigmas).unwrap_or(f64::INFINITY);
         let evidence = evidence::of_candidate(candidate, &gain, projection.cost, projection.rows);
         (evidence + doubt, projection)
+    }
+
+    /// What the named causes leave, with what they cost, on the scale of [`evidence::penalised`] but for a constant.
+    pub fn score(&self) -> f64 {
+        let estimate = &self.fitted.estimate;
+        let rows = estimate.fit.residuals.len() as f64;
+        let left_m2 = estimate.fit.cost * estimate.spread.sigma_m.powi(2);
+        let price: f64 = self.fitted.terms.iter().map(|term| evidence::price(term, rows)).sum();
+        rows * left_m2.max(f64::MIN_POSITIVE).ln() + price
     }
 
     /// Evidence for what another search has found in the same records in place of this: negative where that is better.

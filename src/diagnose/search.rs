@@ -70,7 +70,15 @@ pub fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u6
     let blocks = Blocks::new(&ground.problem, kind, seed);
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let bare_m2 = bare.estimate.fit.cost * bare.estimate.spread.sigma_m.powi(2);
-    let mut found = Found { fitted: bare, free: Vec::new(), names_only: false, blocks, bare_m2, reviews: Vec::new() };
+    let mut found = Found {
+        fitted: bare,
+        free: Vec::new(),
+        names_only: false,
+        impossible: Vec::new(),
+        blocks,
+        bare_m2,
+        reviews: Vec::new(),
+    };
     let mut exchanges = 0;
     loop {
         found.add_all(ground, &mut random)?;
@@ -99,15 +107,23 @@ impl<'a> Found<'a> {
     /// [`NoPose`] when the model cannot place a record.
     pub fn add_all(&mut self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<(), NoPose> {
         let mut seen = vec![self.names()];
+        let mut best = self.clone();
         while self.fitted.terms.len() + self.free.len() < MOST_CAUSES && self.add_some(ground, random)? {
             self.tune(ground)?;
             self.drop_idle(ground)?;
+            if self.free.is_empty() && self.score() < best.score() {
+                best = self.clone();
+            }
             // What looks worth taking in at first order may be idle once refitted, and look worth it again.
             let now = self.names();
             if seen.contains(&now) || seen.len() > MOST_ROUNDS {
                 break;
             }
             seen.push(now);
+        }
+        // A fit that ends where nothing is believable any more takes with it what was found before.
+        if self.free.is_empty() && best.score() < self.score() - DECIDES {
+            *self = Self { impossible: std::mem::take(&mut self.impossible), ..best };
         }
         Ok(())
     }
@@ -136,7 +152,7 @@ impl<'a> Found<'a> {
             fine.extend((!self.names_only).then(|| tracker(&regressors, &projection)).flatten());
             let taken = |suspect: &Suspect| {
                 let Some(candidate) = suspect.candidate() else { return true };
-                !named.iter().any(|known| known.same_as(candidate))
+                !named.iter().chain(&self.impossible).any(|known| known.same_as(candidate))
             };
             let all: Vec<&Suspect> = fine.iter().chain(&standing).filter(|suspect| taken(suspect)).collect();
             let names_tell = |function: &Ranked<'_>, named: &[&Ranked<'_>]| {
@@ -163,11 +179,16 @@ impl<'a> Found<'a> {
             }
         }
         if !named.is_empty() {
-            let terms = named.iter().fold(self.fitted.terms.clone(), |terms, one| joined(&terms, one));
-            // A cause with which the arm does not stand is none.
-            match ground.refit(&self.fitted, &terms, &fresh) {
+            let all = named.iter().fold(self.fitted.terms.clone(), |terms, one| joined(&terms, one));
+            let first = joined(&self.fitted.terms, &named[0]);
+            // A cause with which the arm does not stand is none; where several came, it may be any of them.
+            let fitted = ground.refit(&self.fitted, &all, &fresh).or_else(|_| ground.refit(&self.fitted, &first, &[]));
+            match fitted {
                 Ok(fitted) => self.fitted = fitted,
-                Err(_) => return Ok(false),
+                Err(_) => {
+                    self.impossible.push(named.swap_remove(0));
+                    return self.add_some(ground, random);
+                }
             }
         }
         Ok(grown)

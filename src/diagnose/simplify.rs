@@ -2,7 +2,8 @@
 //!
 //! The constant of a law (a knee, a moment, a levelling time) was searched for beside everything that was found by then. A
 //! cause that was found first, and wrongly, keeps such a constant from its place, and then looks necessary. So each is
-//! taken out in turn, the constants of the others are searched for again, and where that is as good, it stays out.
+//! taken out in turn, the constants of the others are searched for again, and where that is as good, it stays out. In the same
+//! way a spring that was found together with its bend is straight where the bend explains next to nothing.
 
 use crate::identify::problem::NoPose;
 use crate::model::effect::Place;
@@ -20,7 +21,11 @@ pub fn simplify<'a>(found: &mut Found<'a>, ground: &Ground<'a>) -> Result<bool, 
     let mut changed = false;
     let mut term = 0;
     while term < found.fitted.terms.len() {
-        match without(found, ground, term)? {
+        let simpler = match straightened(found, ground, term)? {
+            Some(simpler) => Some(simpler),
+            None => without(found, ground, term)?,
+        };
+        match simpler {
             Some(simpler) => {
                 *found = simpler;
                 (changed, term) = (true, 0);
@@ -29,6 +34,27 @@ pub fn simplify<'a>(found: &mut Found<'a>, ground: &Ground<'a>) -> Result<bool, 
         }
     }
     Ok(changed)
+}
+
+/// What was found with a straight spring in the place of a bent one that came with its straight part, where the bend alone
+/// explains no more than the error of a law may be.
+fn straightened<'a>(found: &Found<'a>, ground: &Ground<'a>, term: usize) -> Result<Option<Found<'a>>, NoPose> {
+    let fitted = &found.fitted;
+    let cause = &fitted.terms[term];
+    let [_, straight @ ..] = &cause.instances[..] else { return Ok(None) };
+    if straight.is_empty() {
+        return Ok(None);
+    }
+    let mut terms = fitted.terms.clone();
+    terms[term] = Candidate { instances: straight.to_vec(), chosen_constants: 0, ..cause.clone() };
+    let (fit, _) = ground.fit_like(fitted, &terms)?;
+    let cost = fitted.estimate.fit.cost;
+    let rows = fit.residuals.len() as f64;
+    let is_idle = rows * (fit.cost / cost).ln() < price(cause, rows) - price(&terms[term], rows);
+    if !is_idle && fit.cost - cost > found.least(&fitted.projection(None)) {
+        return Ok(None);
+    }
+    Ok(Some(Found { fitted: ground.refit(fitted, &terms, &[])?, ..found.clone() }))
 }
 
 /// What was found without one cause, where that is no worse.

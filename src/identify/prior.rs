@@ -71,8 +71,10 @@ fn effect_prior(effect: usize, parameter: usize, nominal: &ArmModel, largest_tor
     }
     let joint = instance.location.joint_index().unwrap_or(0);
     let torque = largest_torque_nm.get(joint).copied().unwrap_or(0.0);
+    let mean = nominal.robot.compliance_rad_per_nm[joint];
     let sigma = (DEFLECTION_RAD / torque.max(f64::MIN_POSITIVE)).min(SOFTEST_RAD_PER_NM);
-    Prior { mean: nominal.robot.compliance_rad_per_nm[joint], sigma }
+    // A drive that the file knows to be softer than that is known to a half.
+    Prior { mean, sigma: sigma.max(0.5 * mean) }
 }
 
 /// An unknown of the model with its prior.

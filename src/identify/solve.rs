@@ -15,6 +15,11 @@ const MOST_STEPS: usize = 40;
 /// Damping at which a step is called hopeless.
 const LARGEST_DAMPING: f64 = 1e8;
 
+/// The first damping that is tried.
+const LEAST_DAMPING: f64 = 1e-4;
+/// Factor of the damping after a step that led too far.
+const BRINK: f64 = 1e3;
+
 /// Why the iteration ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Termination {
@@ -91,10 +96,20 @@ pub fn solve(problem: &Problem<'_>, start: State, unknowns: &[Unknown], weights:
     let mut state = start;
     let mut residuals = problem.residuals(&state)?;
     let mut cost = cost_of(&residuals, &whitening, &roots, &state, unknowns);
-    let mut damping = 0.0;
+    let mut damping = 0.0f64;
     let mut termination = Termination::OutOfSteps;
+    let mut before: Option<(State, DVector<f64>, f64)> = None;
     for _ in 0..MOST_STEPS {
-        let mut jacobian = problem.jacobian(&state, unknowns)?;
+        let mut jacobian = match (problem.jacobian(&state, unknowns), before.take()) {
+            (Ok(jacobian), _) => jacobian,
+            (Err(error), None) => return Err(error),
+            // The step led to the brink, where the arm still stands and its derivatives settle no more: a shorter one.
+            (Err(_), Some(back)) => {
+                (state, residuals, cost) = back;
+                damping = BRINK * damping.max(LEAST_DAMPING);
+                problem.jacobian(&state, unknowns)?
+            }
+        };
         scale_rows(&mut jacobian, &whitening);
         let (stacked, right) = normal_rows(&jacobian, &residuals, &whitening, &roots, &state, unknowns);
         let factor = Factor::new(stacked, &right);
@@ -115,15 +130,16 @@ pub fn solve(problem: &Problem<'_>, start: State, unknowns: &[Unknown], weights:
                     break Some((next, next_residuals, next_cost, length < small));
                 }
             }
-            damping = if damping == 0.0 { 1e-4 } else { damping * 8.0 };
+            damping = if damping == 0.0 { LEAST_DAMPING } else { damping * 8.0 };
             if damping > LARGEST_DAMPING {
                 break None;
             }
         };
         let small = match accepted {
             Some((next, next_residuals, next_cost, small)) => {
+                before = Some((state, residuals, cost));
                 (state, residuals, cost) = (next, next_residuals, next_cost);
-                damping = if damping < 1e-4 { 0.0 } else { damping * 0.1 };
+                damping = if damping < LEAST_DAMPING { 0.0 } else { damping * 0.1 };
                 small
             }
             None => {

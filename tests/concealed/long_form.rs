@@ -26,7 +26,8 @@ pub fn run() {
     let groups = var("FALSETARGET_GROUPS").unwrap_or_default();
     let wanted = |spec: &Spec| groups.is_empty() || groups.split(',').any(|group| group == spec.group);
     let [part, parts] = shard();
-    let specs: Vec<Spec> = plan::all()
+    let series: u64 = var("FALSETARGET_SERIES").ok().and_then(|text| text.parse().ok()).unwrap_or(0);
+    let specs: Vec<Spec> = plan::all(series)
         .into_iter()
         .filter(wanted)
         .enumerate()

@@ -8,10 +8,11 @@
 //! cargo test --release --test concealed -- --ignored --nocapture
 //! ```
 //!
-//! It can be cut and continued: `FALSETARGET_GROUPS=null,single` (also `several`, `hard`, `together`, `outside`),
-//! `FALSETARGET_SHARD=2/8`, `FALSETARGET_RESULTS=outcomes.jsonl` (what stands there is not tried again; the tables are of
-//! everything in it), `FALSETARGET_SECONDS=200` (begins no trial after that), `FALSETARGET_TABLES=tables.md` (writes the
-//! tables there), `FALSETARGET_BIN=falsetarget` (asks a program instead of the library: another version, say).
+//! `FALSETARGET_SERIES=7` draws other arms, causes and noise for the same plan. It can be cut and continued:
+//! `FALSETARGET_GROUPS=null,single` (also `several`, `hard`, `together`, `outside`), `FALSETARGET_SHARD=2/8`,
+//! `FALSETARGET_RESULTS=outcomes.jsonl` (what stands there is not tried again; the tables are of everything in it),
+//! `FALSETARGET_SECONDS=200` (begins no trial after that), `FALSETARGET_TABLES=tables.md` (writes the tables there),
+//! `FALSETARGET_BIN=falsetarget` (asks a program instead of the library: another version, say).
 
 #![allow(clippy::expect_used, reason = "a test may stop where its own preparation fails")]
 #![allow(clippy::print_stdout, reason = "the long form reports")]

@@ -17,11 +17,14 @@ const HARD_NULLS: usize = 6;
 const HARD_SINGLES: usize = 8;
 const TOGETHER: usize = 20;
 const OUTSIDE: usize = 10;
+/// Numbers from one series to the next; those of the short form and of the studies of radii are far above any.
+const SERIES: u64 = 10_000;
 const FRESH: usize = 96;
 const BARE: usize = 48;
 
-/// Every trial of the long form, in an order in which any beginning is a fair sample.
-pub fn all() -> Vec<Spec> {
+/// Every trial of the long form, in an order in which any beginning is a fair sample: the same plan for every series, with
+/// arms, causes and noise of its own.
+pub fn all(series: u64) -> Vec<Spec> {
     let mut specs = Vec::new();
     for (moving, count) in [(false, NULLS[0]), (true, NULLS[1])] {
         specs.extend((0..count).map(|_| spec("null", moving, Vec::new(), Vec::new())));
@@ -67,7 +70,7 @@ pub fn all() -> Vec<Spec> {
         }
     }
     for (index, spec) in specs.iter_mut().enumerate() {
-        spec.number = index as u64 + 1;
+        spec.number = SERIES * series + index as u64 + 1;
     }
     // Shuffled (Fisher and Yates): shards and interrupted runs see every group.
     for last in (1..specs.len()).rev() {

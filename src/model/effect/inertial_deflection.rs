@@ -19,7 +19,7 @@ pub struct InertialDeflection;
 static META: EffectMeta = EffectMeta {
     id: "inertial_deflection",
     title: "drive train twists under acceleration",
-    parameters: &[ParameterMeta { name: "compliance", unit: "rad/Nm", typical: 1e-6, plausible: (0.0, 2e-4) }],
+    parameters: &[ParameterMeta { name: "compliance", unit: "rad/Nm", typical: 1e-6, plausible: (0.0, 2e-3) }],
     place: Place::Joint,
     needs: Needs { gravity_model: true, speed: true, acceleration: true, ..Needs::NOTHING },
     signature: "one joint against the torque that accelerates what it carries",

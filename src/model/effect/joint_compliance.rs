@@ -21,8 +21,9 @@ static META: EffectMeta = EffectMeta {
         name: "compliance",
         unit: "rad/Nm",
         typical: 1e-6,
-        // From nothing to ten times a small harmonic drive; a spring that gives way upwards does not exist.
-        plausible: (0.0, 2e-4),
+        // From nothing to twice the smallest strain wave gear of a wrist (Harmonic Drive CSF-8: 900 Nm/rad); a spring that
+        // gives way upwards does not exist.
+        plausible: (0.0, 2e-3),
     }],
     place: Place::Joint,
     needs: Needs { gravity_model: true, ..Needs::NOTHING },
