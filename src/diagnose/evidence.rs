@@ -69,8 +69,16 @@ const BEYOND_SIGMAS: f64 = 2.5;
 /// Inside the believable range nothing does. Beyond it doubt grows with the square of the number of doublings: what is
 /// usual is known to a factor, so a size is as doubtful as it is far out in proportion. A sign that the physics does not
 /// have (a spring that gives way upwards) rules a cause out. A number that a recording hardly shows may stand anywhere
-/// within its uncertainty, so `sigmas` decides there.
+/// within its uncertainty, so `sigmas` decides there. So do numbers that no such device has together.
 pub fn doubt(instances: &[EffectInstance], values: &DVector<f64>, sigmas: &DVector<f64>) -> Option<f64> {
+    let mut first = 0;
+    for instance in instances {
+        let own = first..first + instance.effect.meta().parameters.len();
+        if !instance.effect.is_believable(&values.as_slice()[own.clone()], &sigmas.as_slice()[own.clone()]) {
+            return None;
+        }
+        first = own.end;
+    }
     let metas = instances.iter().flat_map(|instance| instance.effect.meta().parameters);
     let mut all = 0.0;
     for (meta, (value, sigma)) in metas.zip(values.iter().zip(sigmas.iter())) {

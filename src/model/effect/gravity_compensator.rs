@@ -15,7 +15,8 @@
 //! Signature: an error of its joint that follows the joint's own angle and no payload. Size: 1 to 20 kNm on joint 2 of
 //! a heavy arm (KR270: r = 185 mm, h = 696 mm, s0 = 458 mm).
 //! Easily mistaken for: a periodic error of the same joint (the very same shape through a linear spring; only
-//! stiffening, or both harmonics at once, speak for the device), a wrong mass of the link (first harmonic).
+//! stiffening, or both harmonics at once, speak for the device), a wrong mass of the link (first harmonic). What swings
+//! more twice a turn than once is none: weight, which it balances, is a first harmonic.
 
 use num_dual::DualNum;
 
@@ -52,6 +53,19 @@ impl Physics for GravityCompensator {
         if let Some(joint) = at.joint_index() {
             load.device_torque_nm[joint] += torque_nm(parameters, setting.actuators_rad[joint]);
         }
+    }
+
+    /// Weight is a first harmonic. What swings more twice a turn than once balances nothing.
+    fn is_believable(&self, parameters: &[f64], sigmas: &[f64]) -> bool {
+        /// Standard uncertainties within which a swing may lie.
+        const SLACK: f64 = 2.5;
+        let swing = |pair: std::ops::Range<usize>| {
+            let size = parameters[pair.clone()].iter().fold(0.0, |size: f64, value| size.hypot(*value));
+            let slack = SLACK * sigmas[pair].iter().fold(0.0, |size: f64, sigma| size.hypot(*sigma));
+            (size, slack)
+        };
+        let ((first, first_slack), (second, second_slack)) = (swing(0..2), swing(2..4));
+        second - second_slack <= first + first_slack
     }
 }
 

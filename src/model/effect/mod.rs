@@ -139,6 +139,12 @@ pub trait Physics: Sync {
         _response: &mut Response<T>,
     ) {
     }
+
+    /// False for fitted numbers that no such device has together, each known to its sigma; the range of each by itself stands on
+    /// the name card.
+    fn is_believable(&self, _parameters: &[f64], _sigmas: &[f64]) -> bool {
+        true
+    }
 }
 
 /// [`Physics`] behind a pointer: one pair of entries for plain numbers, one for dual ones.
@@ -153,6 +159,8 @@ pub trait Effect: Sync {
     fn respond_plain(&self, at: &Location, parameters: &[f64], context: &Context<'_, f64>, out: &mut Response<f64>);
     /// [`Physics::respond`] with derivatives.
     fn respond_dual(&self, at: &Location, parameters: &[Dual], context: &Context<'_, Dual>, out: &mut Response<Dual>);
+    /// [`Physics::is_believable`].
+    fn is_believable(&self, parameters: &[f64], sigmas: &[f64]) -> bool;
 }
 
 impl<P: Physics> Effect for P {
@@ -170,6 +178,9 @@ impl<P: Physics> Effect for P {
     }
     fn respond_dual(&self, at: &Location, parameters: &[Dual], context: &Context<'_, Dual>, out: &mut Response<Dual>) {
         self.respond(at, parameters, context, out);
+    }
+    fn is_believable(&self, parameters: &[f64], sigmas: &[f64]) -> bool {
+        Physics::is_believable(self, parameters, sigmas)
     }
 }
 
