@@ -135,11 +135,28 @@ fn a_periodic_error_and_a_lost_motion_are_found_in_turn_with_their_sizes() {
     assert_eq!(found.findings.len(), 2);
     let periodic = found.findings.iter().find(|finding| finding.instance.location.joint == Some(4)).expect("joint 4");
     assert_eq!(periodic.instance.location.order, Some(3.0));
+    let [low, high] = periodic.order_95.expect("an interval");
+    assert!(low < 3.0 && high > 3.0 && high - low < 0.2, "{low} to {high}");
     let amplitude = periodic.values[0].value.hypot(periodic.values[1].value);
     assert!((amplitude / 4e-4 - 1.0).abs() < 0.1, "{amplitude}");
     // What is left is noise and the uncertainty of some 30 numbers from 160 records.
     let noise_rms_mm = NOISE_MM * 3f64.sqrt();
     assert!(found.after.held_out_rms_mm < 1.35 * noise_rms_mm && found.before.held_out_rms_mm > 1.4 * noise_rms_mm);
+}
+
+/// Two waves a turn of the wave generator of a 1:160 strain wave gear.
+#[test]
+fn a_very_fine_line_is_found_where_the_poses_sample_it() {
+    let (recordings, arm) = trial_of(240, 10, |q, _| {
+        let mut extra = [0.0; 6];
+        extra[1] = 7e-5 * (320.0 * q[1] + 0.4).sin();
+        extra
+    });
+    let found = diagnosed(&recordings, &arm);
+    let [line] = &found.findings[..] else { panic!("{:?}", found.findings) };
+    let location = line.instance.location;
+    assert_eq!((line.instance.effect.meta().id, location.joint), ("joint_periodic", Some(2)));
+    assert!((location.order.expect("an order") - 320.0).abs() < 0.1, "{location}");
 }
 
 /// Where a tracker stands that was set up again, seen from where it stood.
@@ -198,6 +215,44 @@ fn a_large_step_does_not_hide_a_small_error() {
         assert!(found.outliers.is_empty(), "{first}: {:?}", found.outliers);
         assert!((1e3 * found.noise_sigma_m / NOISE_MM - 1.0).abs() < 0.15, "{first}: {}", found.noise_sigma_m);
     }
+}
+
+/// Recordings of other arms, by another simulator: what their robot files state of a drive is taken from the file, and found.
+#[test]
+fn a_compliance_that_is_switched_off_is_found_again() {
+    for (folder, joint) in [("null-a", 1), ("null-a", 3), ("null-b", 2)] {
+        let path = |file: &str| format!("{}/calibration/recordings/{folder}/{file}", env!("CARGO_MANIFEST_DIR"));
+        let source = |file: &str| Source::new(file, std::fs::read_to_string(path(file)).expect("a file"));
+        let mut robot = robot::read(&source("robot.yaml")).expect("a robot");
+        let known = std::mem::take(&mut robot.compliance_rad_per_nm[joint]);
+        let recordings = [recording::read(&source("recording.csv"), &robot).expect("a recording")];
+        let arm = ArmModel::nominal(robot);
+        let found = diagnosed(&recordings, &arm);
+        let [finding] = &found.findings[..] else { panic!("{folder}, joint {}: {:?}", joint + 1, found.findings) };
+        assert_eq!(finding.instance.effect.meta().id, "joint_compliance");
+        assert_eq!(finding.instance.location.joint_index(), Some(joint));
+        let again = &finding.values[0];
+        assert!((again.value - known).abs() < 3.0 * again.sigma, "{} +- {} for {known}", again.value, again.sigma);
+        assert_eq!(found.verdict, Verdict::Explained);
+    }
+}
+
+/// A tracker that stands 3 m away and whose horizontal circle is off centre: nothing in the arm is to blame.
+#[test]
+fn an_error_of_the_trackers_beam_is_none_of_the_arm() {
+    let (mut recordings, arm) = trial(9, |_, _| [0.0; 6]);
+    let stands_m = Vector3::new(2.4, -1.8, 0.0);
+    for record in &mut recordings[0].observations {
+        let point = &mut record.measured.as_mut().expect("measured").position_m;
+        let beam = *point - stands_m;
+        let turn_rad = 6e-5 * (9.0 * beam.y.atan2(beam.x)).sin();
+        *point = stands_m + UnitQuaternion::from_axis_angle(&Vector3::z_axis(), turn_rad) * beam;
+    }
+    let found = diagnosed(&recordings, &arm);
+    assert_eq!(found.verdict, Verdict::Unexplained, "{:?}", found.findings);
+    let unexplained = found.unexplained.as_ref().expect("structure");
+    assert_eq!(unexplained.depends_on(), ["beam_azimuth"]);
+    assert!(unexplained.place().starts_with("measurement"), "{}", unexplained.place());
 }
 
 #[test]

@@ -16,8 +16,8 @@ use super::regressors::Regressors;
 
 /// Orders that differ by less are one.
 pub const SAME_ORDER: f64 = 0.1;
-/// Highest order: twice a harmonic drive's ratio of 101, with room.
-const HIGHEST_ORDER: f64 = 212.0;
+/// Highest order: twice the ratio of the slowest strain wave gears (1:160), with room.
+const HIGHEST_ORDER: f64 = 340.0;
 /// Lowest order that is searched for between whole numbers: the output's own orders are whole, and a shaft before it turns
 /// several times as fast.
 const LOWEST_ORDER: f64 = 3.0;
