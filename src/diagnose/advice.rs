@@ -7,6 +7,7 @@ use crate::model::robot::DOF;
 
 use super::detection::smallest_line_rad;
 use super::diagnosis::{Diagnosis, Finding};
+use super::free::Seat;
 use super::regressors::Regressors;
 
 /// A measurement to make.
@@ -88,6 +89,10 @@ fn records_for(at: &Location, problem: &Problem<'_>, levers: &Levers) -> String 
     format!(" (records {} have the longest levers)", names.join(", "))
 }
 
+/// What tells two orders of a joint apart.
+const ANOTHER_ORDER: &str = "turn that joint alone through all of its range, all else still, with eight stops for each repetition: over a \
+    longer range two orders drift apart";
+
 fn between_rivals(finding: &Finding, problem: &Problem<'_>, levers: &Levers) -> Vec<Advice> {
     let (name, here) = (finding.instance.effect.meta().id, &finding.instance.location);
     let of_rival = |rival: &super::diagnosis::Rival| Advice {
@@ -95,7 +100,10 @@ fn between_rivals(finding: &Finding, problem: &Problem<'_>, levers: &Levers) -> 
             "{name} at the {here} and {} at the {} explain these records equally well",
             rival.effect, rival.location
         ),
-        what: format!("{}{}", finding.instance.effect.meta().told_apart_by, records_for(here, problem, levers)),
+        what: match rival.effect == name && rival.location.order != here.order {
+            true => ANOTHER_ORDER.into(),
+            false => format!("{}{}", finding.instance.effect.meta().told_apart_by, records_for(here, problem, levers)),
+        },
     };
     finding.alternatives.iter().map(of_rival).collect()
 }
@@ -124,8 +132,14 @@ fn sharper(finding: &Finding, problem: &Problem<'_>, levers: &Levers) -> Option<
 fn without_name(diagnosis: &Diagnosis<'_>) -> Option<Advice> {
     let unexplained = diagnosis.unexplained.as_ref()?;
     let variables = unexplained.depends_on().join(" and ");
+    let why = format!("structure at the {} follows {variables} and has no name", unexplained.place());
+    if unexplained.functions.first().is_some_and(|function| matches!(function.seat, Seat::Tracker(_))) {
+        let what = "sight ten of the points in both faces of the tracker, and measure twenty poses again from a station a quarter \
+            turn around the robot: what is the tracker's stays with its beam, what is the arm's with the arm";
+        return Some(Advice { why, what: what.into() });
+    }
     Some(Advice {
-        why: format!("structure at the {} follows {variables} and has no name", unexplained.location()),
+        why,
         what: format!(
             "move {variables} alone through the whole range in 40 stops, all else still; once more with no payload and \
              once from the other side"

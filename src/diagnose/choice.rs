@@ -40,7 +40,13 @@ impl<'a> Found<'a> {
     ) -> Option<(Suspect, f64)> {
         let ranked = rank(all, projection);
         let least = self.least(projection);
-        let sound = |ranked: &&Ranked<'_>| ranked.evidence < -DECIDES && ranked.gain.explained > least;
+        let freedom = projection.rows as f64 - projection.free as f64;
+        let is_certain = |ranked: &Ranked<'_>| {
+            let candidate = ranked.suspect.candidate();
+            candidate.is_none_or(|one| evidence::is_certain(one, &ranked.gain, projection.cost, freedom))
+        };
+        let sound =
+            |ranked: &&Ranked<'_>| ranked.evidence < -DECIDES && ranked.gain.explained > least && is_certain(ranked);
         let named: Vec<&Ranked<'_>> =
             ranked.iter().filter(sound).filter(|ranked| ranked.suspect.candidate().is_some()).collect();
         let best_named = named.iter().map(|ranked| ranked.gain.explained).fold(0.0, f64::max);

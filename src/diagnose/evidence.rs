@@ -55,6 +55,16 @@ pub fn p_value(explained: f64, rank: usize, cost: f64, freedom: f64, looked_at: 
     (tail * looked_at).clamp(0.0, 1.0)
 }
 
+/// Probability, all that was looked at counted, below which a line of a joint is one.
+const CERTAIN: f64 = 1e-6;
+
+/// False for a line that was chosen among thousands and might be one of the noise's own: what is left is never quite normal, and
+/// with few records Schwarz's criterion alone asks for little. True for whatever is no line.
+pub fn is_certain(candidate: &Candidate, gain: &Gain, cost: f64, freedom: f64) -> bool {
+    let is_line = candidate.location().order.is_some();
+    !is_line || p_value(gain.explained, gain.rank, cost, freedom, looked_at(candidate.places)) < CERTAIN
+}
+
 /// Bound on the probability of evidence at least as strong where nothing is there: the likelihood ratio of nothing against
 /// something that the evidence stands for (everything that was looked at counted in it).
 pub fn p_value_of_evidence(evidence: f64) -> f64 {

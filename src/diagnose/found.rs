@@ -84,6 +84,16 @@ impl<'a> Found<'a> {
         evidence::of_candidate(candidate, &gain, fit.cost + explained, fit.residuals.len()) + doubt
     }
 
+    /// False for a found line that might be one of the noise's own.
+    pub fn is_certain(&self, term: usize) -> bool {
+        let (explained, rank) = self.fitted.worth_of(term);
+        let (values, sigmas) = self.fitted.values_of(term);
+        let fit = &self.fitted.estimate.fit;
+        let freedom = fit.residuals.len() as f64 - fit.unknowns.len() as f64;
+        let gain = Gain { explained, rank, values, sigmas };
+        evidence::is_certain(&self.fitted.terms[term], &gain, fit.cost + explained, freedom)
+    }
+
     /// Evidence against a found cause given all others, and the projection without it.
     pub fn evidence_of(&self, regressors: &Regressors<'_, '_>, term: usize) -> (f64, Projection) {
         let projection = self.projection(regressors, Some(term));

@@ -141,8 +141,10 @@ fn best_turning_torque(
         let share = narrowed(best / factor, (best * factor).min(high), |share| explained(law, share));
         Some((law, share, explained(law, share)))
     };
+    // Each law at each joint is a place that was looked at.
+    let places = (DOF * laws.clone().count()) as f64;
     let (law, share, _) = laws.filter_map(best_of_law).max_by(|a, b| a.2.total_cmp(&b.2))?;
-    Some(Candidate { instances: instances(law, share), places: DOF as f64, chosen_constants: 1 })
+    Some(Candidate { instances: instances(law, share), places, chosen_constants: 1 })
 }
 
 /// Joints that never bear more than this show no law of their torque, Nm.

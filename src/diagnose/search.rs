@@ -240,7 +240,7 @@ impl<'a> Found<'a> {
                     true => self.quick_evidence(term),
                     false => self.evidence_of(&regressors, term).0,
                 };
-                (evidence >= 0.0).then_some((term, evidence))
+                (evidence >= 0.0 || !self.is_certain(term)).then_some((term, evidence))
             };
             let idlest = (0..self.fitted.terms.len()).filter_map(idle).max_by(|a, b| a.1.total_cmp(&b.1));
             let Some((term, _)) = idlest else { return Ok(()) };

@@ -48,10 +48,8 @@ pub fn predict(
 ) -> Result<Vec<Predicted>, NoPose> {
     let origin = Measured { position_m: Vector3::zeros(), rotation: None };
     // Station 0 is the reference.
-    let station_of = |observation: &Observation| {
-        let known = |name: &String| stations.iter().position(|station| station.name == *name);
-        observation.station.as_ref().and_then(known).map_or(0, |index| index + 1)
-    };
+    let station_of =
+        |observation: &Observation| StationFrame::which(stations, observation).map_or(0, |index| index + 1);
     let records = observations
         .iter()
         .map(|&observation| {

@@ -5,7 +5,7 @@ use serde::Serialize;
 use statrs::distribution::{Binomial, DiscreteCDF};
 
 use crate::base::units::mm_from_m;
-use crate::files::calibration::Calibration;
+use crate::files::calibration::{Calibration, StationFrame};
 use crate::measure::observation::Observation;
 use crate::model::arm::ArmModel;
 
@@ -174,7 +174,7 @@ fn nominal_of(arm: &ArmModel) -> ArmModel {
 /// The measured point in the measuring frame: through the station's frame where the model knows one of that name.
 fn in_measuring_frame(calibration: &Calibration, record: &Observation) -> Option<Vector3<f64>> {
     let point = record.measured?.position_m;
-    let station = calibration.stations.iter().find(|station| Some(&station.name) == record.station.as_ref());
+    let station = StationFrame::which(&calibration.stations, record).map(|index| &calibration.stations[index]);
     Some(station.map_or(point, |station| station.station_t_measuring.inverse().transform_point(&point)))
 }
 

@@ -8,6 +8,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::pose::Pose;
+use crate::measure::observation::Observation;
 use crate::model::arm::ArmModel;
 use crate::model::parameters::ParameterId;
 use crate::model::robot::{DOF, Robot};
@@ -58,6 +59,14 @@ pub struct StationFrame {
     pub name: String,
     /// `station_T_measuring`.
     pub station_t_measuring: Pose,
+}
+
+impl StationFrame {
+    /// Which of the known stations looked at a record; `None` for the one whose frame is the measuring frame.
+    pub fn which(stations: &[Self], record: &Observation) -> Option<usize> {
+        let name = record.station.as_ref()?;
+        stations.iter().position(|station| station.name == *name)
+    }
 }
 
 /// A box of joint numbers.
