@@ -34,7 +34,7 @@ impl Candidate {
 
     /// True when both say the same: the same effect in the same place, orders as good as equal.
     pub fn same_as(&self, other: &Candidate) -> bool {
-        let bare = |location: &Location| Location { order: None, at_s: None, reference: None, law: None, ..*location };
+        let bare = |location: &Location| Location { order: None, at_s: None, ..location.bare() };
         let near = |a: Option<f64>, b: Option<f64>, within: f64| match (a, b) {
             (Some(a), Some(b)) => (a - b).abs() < within,
             (a, b) => a.is_none() == b.is_none(),
@@ -63,12 +63,8 @@ pub fn candidates(model: &ArmModel, problem: &Problem<'_>) -> Vec<Candidate> {
         let places: Vec<Location> = places_of(effect.meta().place, model);
         let count = places.len() as f64;
         let known = |location: &Location| {
-            let at = |known: &EffectInstance| Location {
-                reference: location.reference,
-                law: location.law,
-                ..known.location
-            };
-            model.effects.iter().any(|known| known.effect.meta().id == effect.meta().id && at(known) == *location)
+            let here = |known: &EffectInstance| known.location.bare() == location.bare();
+            model.effects.iter().any(|known| known.effect.meta().id == effect.meta().id && here(known))
         };
         for location in places.into_iter().filter(|location| !known(location)) {
             let instances = with_companion(effect, location, model);
@@ -94,10 +90,7 @@ pub fn with_companion(effect: &'static dyn Effect, location: Location, model: &A
         .effects
         .iter()
         .any(|known| known.effect.meta().id == JOINT_COMPLIANCE.meta().id && known.location.joint == location.joint);
-    let straight = (bent && !known).then_some(EffectInstance {
-        effect: JOINT_COMPLIANCE,
-        location: Location { reference: None, law: None, ..location },
-    });
+    let straight = (bent && !known).then_some(EffectInstance { effect: JOINT_COMPLIANCE, location: location.bare() });
     std::iter::once(EffectInstance { effect, location }).chain(straight).collect()
 }
 

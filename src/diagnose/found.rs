@@ -47,9 +47,7 @@ impl<'a> Found<'a> {
             let place = Location {
                 order: term.location().order.map(f64::round),
                 at_s: term.location().at_s.map(f64::round),
-                reference: None,
-                law: None,
-                ..*term.location()
+                ..term.location().bare()
             };
             format!("{} {place:?}", term.id())
         });
@@ -73,25 +71,26 @@ impl<'a> Found<'a> {
         (CLEARLY_MORE - 1.0) / CLEARLY_MORE * explained.sum::<f64>()
     }
 
-    /// Evidence against a found cause given all others, from the fit itself.
-    pub fn quick_evidence(&self, term: usize) -> f64 {
-        let candidate = &self.fitted.terms[term];
-        let (values, sigmas) = self.fitted.values_of(term);
-        let doubt = evidence::doubt(&candidate.instances, &values, &sigmas).unwrap_or(f64::INFINITY);
+    /// What a found cause explains given all others, from the fit itself.
+    pub fn gain_of(&self, term: usize) -> Gain {
         let (explained, rank) = self.fitted.worth_of(term);
-        let fit = &self.fitted.estimate.fit;
-        let gain = Gain { explained, rank, values, sigmas };
-        evidence::of_candidate(candidate, &gain, fit.cost + explained, fit.residuals.len()) + doubt
+        let (values, sigmas) = self.fitted.values_of(term);
+        Gain { explained, rank, values, sigmas }
     }
 
-    /// False for a found line that might be one of the noise's own.
-    pub fn is_certain(&self, term: usize) -> bool {
-        let (explained, rank) = self.fitted.worth_of(term);
-        let (values, sigmas) = self.fitted.values_of(term);
+    /// Evidence against a found cause that explains so much.
+    pub fn quick_evidence(&self, term: usize, gain: &Gain) -> f64 {
+        let candidate = &self.fitted.terms[term];
+        let doubt = evidence::doubt(&candidate.instances, &gain.values, &gain.sigmas).unwrap_or(f64::INFINITY);
+        let fit = &self.fitted.estimate.fit;
+        evidence::of_candidate(candidate, gain, fit.cost + gain.explained, fit.residuals.len()) + doubt
+    }
+
+    /// False for a found line that explains so much and might be one of the noise's own.
+    pub fn is_certain(&self, term: usize, gain: &Gain) -> bool {
         let fit = &self.fitted.estimate.fit;
         let freedom = fit.residuals.len() as f64 - fit.unknowns.len() as f64;
-        let gain = Gain { explained, rank, values, sigmas };
-        evidence::is_certain(&self.fitted.terms[term], &gain, fit.cost + explained, freedom)
+        evidence::is_certain(&self.fitted.terms[term], gain, fit.cost + gain.explained, freedom)
     }
 
     /// Evidence against a found cause given all others, and the projection without it.
@@ -109,8 +108,12 @@ impl<'a> Found<'a> {
         let estimate = &self.fitted.estimate;
         let rows = estimate.fit.residuals.len() as f64;
         let left_m2 = estimate.fit.cost * estimate.spread.sigma_m.powi(2);
-        let price: f64 = self.fitted.terms.iter().map(|term| evidence::price(term, rows)).sum();
-        rows * left_m2.max(f64::MIN_POSITIVE).ln() + price
+        rows * left_m2.max(f64::MIN_POSITIVE).ln() + self.price(rows)
+    }
+
+    /// What the named causes cost.
+    fn price(&self, rows: f64) -> f64 {
+        self.fitted.terms.iter().map(|term| evidence::price(term, rows)).sum()
     }
 
     /// Evidence for what another search has found in the same records in place of this: negative where that is better.
@@ -120,8 +123,7 @@ impl<'a> Found<'a> {
     pub fn against(&self, other: &Found<'a>, ground: &Ground<'a>) -> Result<f64, NoPose> {
         let (fit, _) = ground.fit_like(&self.fitted, &other.fitted.terms)?;
         let rows = fit.residuals.len() as f64;
-        let price = |found: &Self| found.fitted.terms.iter().map(|term| evidence::price(term, rows)).sum::<f64>();
-        let names = rows * (fit.cost / self.fitted.estimate.fit.cost).ln() + price(other) - price(self);
+        let names = rows * (fit.cost / self.fitted.estimate.fit.cost).ln() + other.price(rows) - self.price(rows);
         Ok(names + other.evidence_of_free()? - self.evidence_of_free()?)
     }
 

@@ -2,7 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use crate::model::arm::{ArmModel, ArmState};
+use crate::geometry::pose::Pose;
+use crate::model::arm::ArmState;
 use crate::model::effect::{Location, MovingFrame};
 use crate::model::robot::DOF;
 
@@ -179,8 +180,8 @@ fn about_vertical(base: &DMatrix<f64>, at_mm: Stand) -> DMatrix<f64> {
 }
 
 /// The direction of a beam to the measured point, seen from above, rad: 0 towards the robot base.
-pub fn beam_azimuth_rad(at_mm: Stand, model: &ArmModel, stand: &ArmState<f64>) -> f64 {
-    let point = (stand.base_t_flange * model.prepared().flange_t_tool()).translation;
+pub fn beam_azimuth_rad(at_mm: Stand, stand: &ArmState<f64>, flange_t_tool: &Pose) -> f64 {
+    let point = (stand.base_t_flange * *flange_t_tool).translation;
     let [x_m, y_m] = at_mm.map(|mm| 1e-3 * f64::from(mm));
     let (along, across) =
         (-(point.x - x_m) * x_m - (point.y - y_m) * y_m, (point.x - x_m) * y_m - (point.y - y_m) * x_m);
@@ -194,6 +195,7 @@ fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
 /// The variable at every record; where a record does not say, zero.
 pub fn values(regressors: &Regressors<'_, '_>, variable: Variable) -> Vec<f64> {
     let records = regressors.problem.records.iter().zip(&regressors.stands);
+    let flange_t_tool = regressors.model().prepared().flange_t_tool();
     records
         .map(|(record, stand)| {
             let observation = record.observation;
@@ -206,7 +208,7 @@ pub fn values(regressors: &Regressors<'_, '_>, variable: Variable) -> Vec<f64> {
                 Variable::Acceleration(joint) => conditions.acceleration_rad_s2.map_or(0.0, |value| value[joint]),
                 Variable::Time => conditions.time_s.unwrap_or(0.0),
                 Variable::Temperature => conditions.temperature_c.unwrap_or(0.0),
-                Variable::Beam(at_mm) => beam_azimuth_rad(at_mm, regressors.model(), stand),
+                Variable::Beam(at_mm) => beam_azimuth_rad(at_mm, stand, &flange_t_tool),
             }
         })
         .collect()

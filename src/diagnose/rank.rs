@@ -53,14 +53,8 @@ pub struct Ranked<'s> {
 pub fn suspects(regressors: &Regressors<'_, '_>) -> Result<Vec<Suspect>, NoPose> {
     let named = candidates(regressors.model(), regressors.problem);
     let columns = regressors.columns(&named)?;
-    let mut all: Vec<Suspect> = named
-        .into_iter()
-        .zip(columns)
-        .map(|(candidate, columns)| {
-            let looked_at = evidence::looked_at(candidate.places);
-            Suspect { cause: Cause::Named(candidate), columns, looked_at }
-        })
-        .collect();
+    let mut all: Vec<Suspect> =
+        named.into_iter().zip(columns).map(|(candidate, columns)| Suspect::named(candidate, columns)).collect();
     let free = free_functions(regressors);
     let looked_at = evidence::looked_at(free.len() as f64);
     all.par_extend(free.into_par_iter().map(|function| {
@@ -103,13 +97,15 @@ pub fn rank<'s>(suspects: &[&'s Suspect], projection: &Projection) -> Vec<Ranked
 }
 
 impl Suspect {
+    /// A named cause with its columns.
+    pub fn named(candidate: Candidate, columns: DMatrix<f64>) -> Self {
+        Self { looked_at: evidence::looked_at(candidate.places), cause: Cause::Named(candidate), columns }
+    }
+
     /// A named cause that acts through the levers.
     pub fn through(candidate: Candidate, regressors: &Regressors<'_, '_>) -> Self {
-        Self {
-            columns: scan::columns_through(regressors, &candidate.instances),
-            looked_at: evidence::looked_at(candidate.places),
-            cause: Cause::Named(candidate),
-        }
+        let columns = scan::columns_through(regressors, &candidate.instances);
+        Self::named(candidate, columns)
     }
 
     /// Evidence against it from a gain.

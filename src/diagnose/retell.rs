@@ -13,11 +13,11 @@ use crate::model::effect::Location;
 
 use super::candidate::Candidate;
 use super::check::holds;
-use super::evidence::{self, DECIDES};
+use super::evidence::DECIDES;
 use super::fitted::Ground;
 use super::found::{Found, joined};
 use super::projection::Projection;
-use super::rank::{Cause, Suspect, rank, searched, suspects};
+use super::rank::{Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
 use super::story::{Story, told_from};
 
@@ -77,14 +77,8 @@ fn better_story(
 ) -> Option<Story> {
     let fitted = &found.fitted;
     let projection = fitted.projection_without(place);
-    let own: Vec<Suspect> = place
-        .iter()
-        .map(|&term| {
-            let candidate = fitted.terms[term].clone();
-            let looked_at = evidence::looked_at(candidate.places);
-            Suspect { cause: Cause::Named(candidate), columns: fitted.columns_of(term), looked_at }
-        })
-        .collect();
+    let own: Vec<Suspect> =
+        place.iter().map(|&term| Suspect::named(fitted.terms[term].clone(), fitted.columns_of(term))).collect();
     let before = evidence_of(&own, &projection);
     let fine = searched(regressors, &projection);
     let all: Vec<&Suspect> = own.iter().chain(&fine).chain(standing).collect();

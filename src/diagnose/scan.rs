@@ -196,10 +196,7 @@ pub fn other_orders(
     // A range of less than a turn does not resolve whole orders: the next ones may explain nearly as much.
     let next = [order.floor() - 1.0, order.floor(), order.ceil(), order.ceil() + 1.0];
     let next = next.into_iter().filter(|next| *next >= 1.0).map(|next| Candidate {
-        instances: vec![EffectInstance {
-            location: Location { order: Some(next), ..*location },
-            ..candidate.instances[0]
-        }],
+        instances: vec![of_order(candidate.effect(), joint, next)],
         places: candidate.places,
         chosen_constants: 0,
     });
@@ -225,9 +222,8 @@ pub fn order_interval(
         .map(|step| order + width * f64::from(step) / f64::from(STEPS))
         .filter(|order| *order > 0.0)
         .map(|order| {
-            let location = Location { order: Some(order), ..*candidate.location() };
-            let instance = EffectInstance { location, ..candidate.instances[0] };
-            (order, projection.gain(&regressors.through(&instance)).explained)
+            let columns = regressors.through(&of_order(candidate.effect(), joint, order));
+            (order, projection.gain(&columns).explained)
         })
         .collect();
     let most = near.iter().map(|(_, explained)| *explained).fold(0.0, f64::max);
@@ -237,6 +233,10 @@ pub fn order_interval(
         agreeing.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], (order, _)| [low.min(order), high.max(order)]);
     let half_a_step = 0.5 * width / f64::from(STEPS);
     Some([(low - half_a_step).max(0.0), high + half_a_step])
+}
+
+fn of_order(effect: &'static dyn Effect, joint: usize, order: f64) -> EffectInstance {
+    EffectInstance { effect, location: Location { order: Some(order), ..Location::at_joint(joint) } }
 }
 
 /// A line of a joint's spectrum, told in two ways.
@@ -259,10 +259,7 @@ fn strongest_lines(
     if range < SMALLEST_RANGE {
         return Vec::new();
     }
-    let explained = |order: f64| {
-        let location = Location { order: Some(order), ..Location::at_joint(joint) };
-        projection.gain(&regressors.through(&EffectInstance { effect, location })).explained
-    };
+    let explained = |order: f64| projection.gain(&regressors.through(&of_order(effect, joint, order))).explained;
     let step = 1.0 / (POINTS_ON_A_LINE * range);
     let mut asked: Vec<(f64, f64)> = worth_a_look(joint, step, regressors, projection)
         .into_par_iter()
@@ -280,9 +277,10 @@ fn strongest_lines(
     let rows = projection.rows;
     let worth =
         |explained: f64, chosen: usize| evidence::penalised(explained, projection.cost, rows, 2 + chosen, places);
-    let candidate = |order: f64, chosen_constants: usize| {
-        let location = Location { order: Some(order), ..Location::at_joint(joint) };
-        Candidate { instances: vec![EffectInstance { effect, location }], places, chosen_constants }
+    let candidate = |order: f64, chosen_constants: usize| Candidate {
+        instances: vec![of_order(effect, joint, order)],
+        places,
+        chosen_constants,
     };
     let line = |top: f64| {
         let found = narrowed((top - step).max(LOWEST_ORDER), top + step, explained);

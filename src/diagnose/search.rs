@@ -236,11 +236,12 @@ impl<'a> Found<'a> {
             let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
             self.drop_idle_free(&regressors);
             let idle = |term: usize| {
+                let gain = self.gain_of(term);
                 let evidence = match self.free.is_empty() {
-                    true => self.quick_evidence(term),
+                    true => self.quick_evidence(term, &gain),
                     false => self.evidence_of(&regressors, term).0,
                 };
-                (evidence >= 0.0 || !self.is_certain(term)).then_some((term, evidence))
+                (evidence >= 0.0 || !self.is_certain(term, &gain)).then_some((term, evidence))
             };
             let idlest = (0..self.fitted.terms.len()).filter_map(idle).max_by(|a, b| a.1.total_cmp(&b.1));
             let Some((term, _)) = idlest else { return Ok(()) };

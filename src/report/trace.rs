@@ -173,8 +173,9 @@ fn value(variable: Variable, state: &State, observation: &Observation) -> Option
         Variable::Time => conditions.time_s,
         Variable::Temperature => conditions.temperature_c,
         Variable::Beam(at_mm) => {
-            let stand = state.model.prepared().at(&observation.numbers_rad, conditions, None).ok()?;
-            Some(deg_from_rad(beam_azimuth_rad(at_mm, &state.model, &stand)))
+            let prepared = state.model.prepared();
+            let stand = prepared.at(&observation.numbers_rad, conditions, None).ok()?;
+            Some(deg_from_rad(beam_azimuth_rad(at_mm, &stand, &prepared.flange_t_tool())))
         }
         Variable::Approach(joint) => Some(conditions.approach[joint]),
     }

@@ -148,9 +148,7 @@ fn fates(spec: &Spec, truth: &Truth, report: &Value) -> Vec<Judged> {
             if accepts(&one.cause, effect, location, truth) {
                 return Fate::Placed;
             }
-            if offered(finding, &one.cause, truth)
-                && truth.bench.apart(index, effect, location).is_some_and(|apart| apart < APART)
-            {
+            if is_equivalent(finding, index, truth) {
                 fate = Fate::Equivalent;
             } else if fate == Fate::Missed && name_of(&one.cause) == Some(effect) {
                 fate = Fate::Misplaced;
@@ -185,10 +183,14 @@ fn justified(spec: &Spec, truth: &Truth, report: &Value, found: &(String, Value)
         .into_iter()
         .flatten()
         .find(|one| one["effect"].as_str() == Some(effect.as_str()) && one["location"] == *location);
-    truth.concealed.iter().enumerate().any(|(index, one)| {
-        beside.is_some_and(|finding| offered(finding, &one.cause, truth))
-            && truth.bench.apart(index, effect, location).is_some_and(|apart| apart < APART)
-    })
+    beside.is_some_and(|finding| (0..truth.concealed.len()).any(|index| is_equivalent(finding, index, truth)))
+}
+
+/// True when a finding offers a concealed cause beside its own name, and the records cannot tell the two.
+fn is_equivalent(finding: &Value, index: usize, truth: &Truth) -> bool {
+    let apart = |effect: &str| truth.bench.apart(index, effect, &finding["location"]);
+    offered(finding, &truth.concealed[index].cause, truth)
+        && finding["effect"].as_str().and_then(apart).is_some_and(|apart| apart < APART)
 }
 
 /// True when a finding names the truth among its alternatives, or another order of it within its uncertainty.

@@ -3,8 +3,9 @@
 //! Euler and Bernoulli: at the far end of a straight uniform beam of length `L` along `u`, under the force `F` and the
 //! moment `M` that hang there (subscript t: the part across `u`), `shift = b (F_t L^3/3 + M_t x u L^2/2)`,
 //! `turn  = b (u x F_t L^2/2 + M_t L) + t L (u.M) u`, with `b = 1/EI` the same across all directions and `t = 1/GJ`. The
-//! link's own weight is left out: most of a casting's mass sits at its two ends, and what it bends the drive's spring takes. `u` and `L` go from the link's own axis frame to the next one's (see [`Context::link_ends_m`]);
-//! everything in the robot base. A link that these frames give no length has no beam.
+//! link's own weight is left out: most of a casting's mass sits at its two ends, and what it bends the drive's spring
+//! takes. `u` and `L` go from the link's own axis frame to the next one's (see [`Context::link_ends_m`]); everything in
+//! the robot base. A link that these frames give no length has no beam.
 //!
 //! In a parallelogram no moment passes about the pin at the arm's end itself: the coupler takes it, as a couple of forces
 //! along the arm and along the coupler, which stretch one and shorten the other. The two together turn the forearm with

@@ -73,6 +73,11 @@ impl Location {
         Self { joint: Some(joint + 1), ..Self::default() }
     }
 
+    /// The same place without the constants of a law.
+    pub fn bare(&self) -> Self {
+        Self { reference: None, law: None, ..*self }
+    }
+
     /// The joint, from zero.
     pub fn joint_index(&self) -> Option<usize> {
         self.joint.and_then(|joint| joint.checked_sub(1)).filter(|&joint| joint < DOF)
