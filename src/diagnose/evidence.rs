@@ -14,6 +14,8 @@ use super::projection::Gain;
 pub const SMALLEST_PART: f64 = 0.01;
 /// Differences of [`penalised`] below this do not decide between rivals (Kass and Raftery 1995: 6 is strong).
 pub const DECIDES: f64 = 6.0;
+/// Evidence so far against a suspect that neither what else is found between two fits nor a better constant turns it.
+pub const HOPELESS: f64 = 15.0;
 
 /// Twice the logarithm of the evidence against a cause, after Schwarz (1978), plus the price of having looked at
 /// `looked_at` causes: negative values speak for it.

@@ -29,4 +29,5 @@ pub mod statement;
 pub mod story;
 pub mod tracker;
 pub mod updated;
+pub mod walk;
 pub mod worth;

@@ -52,6 +52,9 @@ pub struct Gain {
 /// them is the error of the linearisation.
 const OWN_PART: f64 = 0.004;
 
+/// Columns up to which nalgebra makes no blocked product.
+const FEW: usize = 5;
+
 /// Sizes of a smooth function that are tried, by half decades.
 const SIZES: usize = 14;
 
@@ -124,8 +127,13 @@ impl Projection {
         }
     }
 
-    /// Inner products of columns beyond what is free. As products: those are blocked for the cache, [`DMatrix::tr_mul`] is not.
+    /// Inner products of columns beyond what is free. Of many as products: those are blocked for the cache; of a few column by
+    /// column, which such a product would do by rows.
     fn own_gram(&self, columns: &DMatrix<f64>) -> DMatrix<f64> {
+        if columns.ncols() <= FEW {
+            let along = self.basis.tr_mul(columns);
+            return columns.tr_mul(columns) - along.tr_mul(&along);
+        }
         let along = &self.transposed * columns;
         columns.transpose() * columns - along.transpose() * along
     }

@@ -20,6 +20,7 @@ use super::projection::Projection;
 use super::rank::{Suspect, rank, searched, suspects};
 use super::regressors::Regressors;
 use super::story::{Story, told_from};
+use super::walk::Walk;
 
 /// Names with which a story is begun.
 const BEGINNINGS: usize = 3;
@@ -31,11 +32,7 @@ const FURTHER: usize = 2;
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
-pub fn retell<'a>(
-    found: &Found<'a>,
-    ground: &Ground<'a>,
-    random: &mut ChaCha8Rng,
-) -> Result<Option<Found<'a>>, NoPose> {
+pub fn retell<'a>(found: &Found<'a>, ground: &Ground<'a>, walk: &mut Walk) -> Result<Option<Found<'a>>, NoPose> {
     if found.fitted.terms.is_empty() || !found.free.is_empty() {
         return Ok(None);
     }
@@ -45,7 +42,8 @@ pub fn retell<'a>(
     standing.retain(|suspect| suspect.candidate().is_some());
     for place in places(&found.fitted.terms) {
         let Some(story) = better_story(found, &place, &standing, &regressors) else { continue };
-        if let Some(other) = told_again(found, &place, &story, ground, random)? {
+        // A way that ends where the arm does not stand is none.
+        if let Ok(Some(other)) = told_again(found, &place, &story, ground, walk) {
             return Ok(Some(other));
         }
     }
@@ -115,20 +113,21 @@ fn told_again<'a>(
     place: &[usize],
     story: &Story,
     ground: &Ground<'a>,
-    random: &mut ChaCha8Rng,
+    walk: &mut Walk,
 ) -> Result<Option<Found<'a>>, NoPose> {
     let kept = found.fitted.terms.iter().enumerate().filter(|(index, _)| !place.contains(index));
     let kept: Vec<Candidate> = kept.map(|(_, term)| term.clone()).collect();
     let told = story.causes.iter().filter_map(Suspect::candidate);
     let terms = told.fold(kept, |terms, cause| joined(&terms, cause));
-    // A cause with which the arm does not stand is none.
-    let Ok(fitted) = ground.refit(&found.fitted, &terms, &[]) else { return Ok(None) };
+    let fitted = ground.refit(&found.fitted, &terms, &[])?;
     let mut other = Found { fitted, reviews: Vec::new(), ..found.clone() };
     other.tune(ground)?;
     other.drop_idle(ground)?;
-    other.add_all(ground, random)?;
+    if !other.add_what_is_new(ground, walk)? {
+        return Ok(None);
+    }
     let better = other.names() != found.names() && found.against(&other, ground)? < -DECIDES;
-    Ok((better && all_hold(&other, found, random)?).then_some(other))
+    Ok((better && all_hold(&other, found, &mut walk.random)?).then_some(other))
 }
 
 /// True when every cause that is new stands up to what is asked of one that a search takes in.

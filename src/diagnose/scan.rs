@@ -1,7 +1,7 @@
 //! The fine search over constants of a place: the order of a periodic error, the moment of a step, the torque at which a
 //! drive changes its behaviour.
 
-use nalgebra::DMatrix;
+use nalgebra::{Complex, DMatrix};
 use rayon::prelude::*;
 
 use crate::model::arm::EffectInstance;
@@ -9,7 +9,7 @@ use crate::model::effect::{EFFECTS, Effect, Location, MovingFrame, Place, Spring
 use crate::model::robot::DOF;
 
 use super::candidate::{Candidate, FRAMES, is_told, with_companion};
-use super::evidence;
+use super::evidence::{self, HOPELESS};
 use super::free::{Variable, values};
 use super::projection::Projection;
 use super::regressors::Regressors;
@@ -27,14 +27,18 @@ const POINTS_ON_A_LINE: f64 = 4.0;
 const ALL_BELOW: f64 = 12.0;
 /// See [`ALL_BELOW`].
 const STRONGEST: usize = 16;
+/// Orders of the periodogram between two sines made anew.
+const ORDERS_AT_ONCE: usize = 64;
 /// Joints that turn less than this part of a revolution show no order.
 const SMALLEST_RANGE: f64 = 0.05;
 /// Fewest records on either side of a step.
 const FEWEST_ON_A_SIDE: usize = 8;
 /// Moments tried at first.
 const MOMENTS: usize = 48;
-/// Rounds of narrowing a constant.
-const NARROWINGS: usize = 12;
+/// Rounds of narrowing a constant: to a hundredth of the range.
+const NARROWINGS: usize = 10;
+/// Laws that explain less than this part of the best one on their grids are not narrowed.
+const NEARLY: f64 = 0.8;
 /// Torques at which an effect may change its behaviour.
 struct Turning {
     effect: &'static str,
@@ -129,22 +133,35 @@ fn best_turning_torque(
         with_companion(effect, location, regressors.model())
     };
     let explained = |law, share: f64| projection.gain(&columns_through(regressors, &instances(law, share))).explained;
-    let laws = TURNING_TORQUES.iter().filter(|turning| turning.effect == effect.meta().id);
-    let best_of_law = |turning: &Turning| {
-        let &Turning { law, low, high, factor, .. } = turning;
+    let laws: Vec<&Turning> = TURNING_TORQUES.iter().filter(|turning| turning.effect == effect.meta().id).collect();
+    // Each law at each joint is a place that was looked at.
+    let places = (DOF * laws.len()) as f64;
+    let candidate = |law, share| Candidate { instances: instances(law, share), places, chosen_constants: 1 };
+    let best_on_grid = |turning: &&Turning| {
+        let &&Turning { law, low, high, factor, .. } = turning;
         let count = ((high / low).ln() / factor.ln()).ceil() as i32;
-        let (best, _) = (0..=count)
+        (0..=count)
             .into_par_iter()
             .map(|step| (low * factor.powi(step)).min(high))
             .map(|share| (share, explained(law, share)))
-            .max_by(|a, b| a.1.total_cmp(&b.1))?;
-        let share = narrowed(best / factor, (best * factor).min(high), |share| explained(law, share));
-        Some((law, share, explained(law, share)))
+            .max_by(|a, b| a.1.total_cmp(&b.1))
     };
-    // Each law at each joint is a place that was looked at.
-    let places = (DOF * laws.clone().count()) as f64;
-    let (law, share, _) = laws.filter_map(best_of_law).max_by(|a, b| a.2.total_cmp(&b.2))?;
-    Some(Candidate { instances: instances(law, share), places, chosen_constants: 1 })
+    let on_grid: Vec<(&Turning, f64, f64)> =
+        laws.iter().filter_map(|turning| best_on_grid(turning).map(|(share, gain)| (*turning, share, gain))).collect();
+    let &(turning, share, most) = on_grid.iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let columns = columns_through(regressors, &instances(turning.law, share));
+    let coarse = candidate(turning.law, share);
+    if evidence::of_candidate(&coarse, &projection.gain(&columns), projection.cost, projection.rows) > HOPELESS {
+        return Some(coarse);
+    }
+    let narrowed_on = |(turning, best, _): &(&Turning, f64, f64)| {
+        let &Turning { law, high, factor, .. } = *turning;
+        let share = narrowed(best / factor, (best * factor).min(high), |share| explained(law, share));
+        (law, share, explained(law, share))
+    };
+    let near = on_grid.iter().filter(|(_, _, gain)| *gain >= NEARLY * most);
+    let (law, share, _) = near.map(narrowed_on).max_by(|a, b| a.2.total_cmp(&b.2))?;
+    Some(candidate(law, share))
 }
 
 /// Joints that never bear more than this show no law of their torque, Nm.
@@ -156,11 +173,21 @@ pub fn columns_through(regressors: &Regressors<'_, '_>, instances: &[EffectInsta
     super::regressors::side_by_side(&blocks, regressors.record_of.len())
 }
 
-/// Where a function of one constant is largest, by thirds.
+/// Where a function of one constant is largest, by the golden section (Kiefer 1953).
 fn narrowed(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    let (mut left, mut right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+    let (mut at_left, mut at_right) = (value(left), value(right));
     for _ in 0..NARROWINGS {
-        let (left, right) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-        if value(left) < value(right) { low = left } else { high = right }
+        if at_left < at_right {
+            (low, left, at_left) = (left, right, at_right);
+            right = low + GOLDEN * (high - low);
+            at_right = value(right);
+        } else {
+            (high, right, at_right) = (right, left, at_left);
+            left = high - GOLDEN * (high - low);
+            at_left = value(left);
+        }
     }
     0.5 * (low + high)
 }
@@ -266,10 +293,10 @@ fn strongest_lines(
         .map(|order| (order, explained(order)))
         .collect();
     asked.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let mut tops: Vec<f64> = Vec::new();
-    for (order, _) in asked {
-        if tops.len() < most && tops.iter().all(|top| (top - order).abs() >= 1.0 / range) {
-            tops.push(order);
+    let mut tops: Vec<(f64, f64)> = Vec::new();
+    for (order, explained) in asked {
+        if tops.len() < most && tops.iter().all(|(top, _)| (top - order).abs() >= 1.0 / range) {
+            tops.push((order, explained));
         }
     }
     // Independent lines: two for each revolution of the range and whole order, on six joints.
@@ -282,7 +309,10 @@ fn strongest_lines(
         places,
         chosen_constants,
     };
-    let line = |top: f64| {
+    let line = |(top, on_grid): (f64, f64)| {
+        if worth(on_grid, 1) > HOPELESS {
+            return Line { whole: candidate(top.round(), 0), fraction: candidate(rounded(top), 1), is_whole: false };
+        }
         let found = narrowed((top - step).max(LOWEST_ORDER), top + step, explained);
         let whole = found.round().max(1.0);
         let is_whole = worth(explained(whole), 0) <= worth(explained(found), 1);
@@ -301,15 +331,14 @@ fn worth_a_look(joint: usize, step: f64, regressors: &Regressors<'_, '_>, projec
         pull[record] += lever * projection.residuals[row];
         weight[record] += lever * lever;
     }
-    let power = |order: f64| {
+    let power = |turns: &[Complex<f64>]| {
         let (mut sine, mut cosine, mut ss, mut cc, mut sc) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        for ((angle, pull), weight) in angles.iter().zip(&pull).zip(&weight) {
-            let (sin, cos) = (order * angle).sin_cos();
-            sine += pull * sin;
-            cosine += pull * cos;
-            ss += weight * sin * sin;
-            cc += weight * cos * cos;
-            sc += weight * sin * cos;
+        for ((turn, pull), weight) in turns.iter().zip(&pull).zip(&weight) {
+            sine += pull * turn.im;
+            cosine += pull * turn.re;
+            ss += weight * turn.im * turn.im;
+            cc += weight * turn.re * turn.re;
+            sc += weight * turn.im * turn.re;
         }
         let determinant = (ss * cc - sc * sc).max(f64::MIN_POSITIVE);
         (sine * sine * cc - 2.0 * sine * cosine * sc + cosine * cosine * ss) / determinant
@@ -317,7 +346,19 @@ fn worth_a_look(joint: usize, step: f64, regressors: &Regressors<'_, '_>, projec
     let count = ((HIGHEST_ORDER - LOWEST_ORDER) / step) as usize;
     let (mut chosen, high): (Vec<f64>, Vec<f64>) =
         (0..count).map(|index| LOWEST_ORDER + step * index as f64).partition(|order| *order <= ALL_BELOW);
-    let mut high: Vec<(f64, f64)> = high.into_par_iter().map(|order| (order, power(order))).collect();
+    let turned = |order: f64| angles.iter().map(|angle| Complex::cis(order * angle)).collect::<Vec<_>>();
+    let further = turned(step);
+    // A sine is turned on from order to order, and made anew now and then: rounding stays small.
+    let powers = |orders: &[f64]| {
+        let mut turns = orders.first().map_or_else(Vec::new, |first| turned(*first));
+        let mut found = Vec::with_capacity(orders.len());
+        for &order in orders {
+            found.push((order, power(&turns)));
+            turns.iter_mut().zip(&further).for_each(|(turn, further)| *turn *= further);
+        }
+        found
+    };
+    let mut high: Vec<(f64, f64)> = high.par_chunks(ORDERS_AT_ONCE).flat_map_iter(powers).collect();
     high.sort_by(|a, b| b.1.total_cmp(&a.1));
     chosen.extend(high.into_iter().take(STRONGEST).map(|(order, _)| order));
     chosen
@@ -385,8 +426,14 @@ fn levelling_drift(frame: MovingFrame, regressors: &Regressors<'_, '_>, projecti
         .map(|step| shortest * factor.powi(step))
         .map(|part| (part, explained(part)))
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let part = narrowed(best / factor, best * factor, explained);
-    Some(Candidate { instances: vec![instance(part)], places: FRAMES.len() as f64, chosen_constants: 1 })
+    let candidate =
+        |part| Candidate { instances: vec![instance(part)], places: FRAMES.len() as f64, chosen_constants: 1 };
+    let coarse = candidate(best);
+    let gain = projection.gain(&regressors.through(&instance(best)));
+    if evidence::of_candidate(&coarse, &gain, projection.cost, projection.rows) > HOPELESS {
+        return Some(coarse);
+    }
+    Some(candidate(narrowed(best / factor, best * factor, explained)))
 }
 
 /// The effect of the registry whose place has constants to be searched.

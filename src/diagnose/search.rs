@@ -1,13 +1,13 @@
 //! Which causes are missing: found in turn, refitted together, every one tested again after each.
 
-use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use crate::identify::problem::NoPose;
+use crate::identify::solve::Termination;
 use crate::measure::recording::Kind;
 
 use super::candidate::Candidate;
-use super::evidence::{self, DECIDES};
+use super::evidence::{self, DECIDES, HOPELESS};
 use super::fitted::{Fitted, Ground};
 use super::found::{CLEARLY_MORE, Found, joined};
 use super::free::{FreeFunction, free_functions};
@@ -21,6 +21,7 @@ use super::scan;
 use super::simplify::simplify;
 use super::story::names_tell_it;
 use super::tracker::tracker;
+use super::walk::Walk;
 
 /// Rounds of taking in and refitting.
 const MOST_ROUNDS: usize = 40;
@@ -35,8 +36,6 @@ const MOST_EXCHANGES: usize = 4;
 /// A cause that takes away more than this part of what is left moves everything else: the rest is looked at again only
 /// when all is refitted. Smaller ones are taken in on the linear problem, several between two fits.
 const LARGE: f64 = 0.1;
-/// Evidence so far against a suspect that what else is found between two fits does not turn it.
-const HOPELESS: f64 = 15.0;
 /// A constant of a place is changed when the whole fit gains this much by it, on the scale of [`evidence::penalised`].
 const BETTER_CONSTANT: f64 = 2.0;
 
@@ -68,7 +67,7 @@ pub fn search_from<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: 
 /// [`NoPose`] when the model cannot place a record.
 pub fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u64) -> Result<Found<'a>, NoPose> {
     let blocks = Blocks::new(&ground.problem, kind, seed);
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let mut walk = Walk::new(seed);
     let bare_m2 = bare.estimate.fit.cost * bare.estimate.spread.sigma_m.powi(2);
     let mut found = Found {
         fitted: bare,
@@ -80,23 +79,27 @@ pub fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u6
         reviews: Vec::new(),
     };
     let mut exchanges = 0;
+    let mut before: Option<Found<'a>> = None;
     loop {
-        found.add_all(ground, &mut random)?;
-        if let Some(named) = found.in_names_alone(ground, &mut random)? {
+        found.add_all(ground, &mut walk)?;
+        // A way that ends where the arm does not stand is none.
+        if let Ok(Some(named)) = found.in_names_alone(ground, &mut walk) {
             found = named;
         }
         simplify(&mut found, ground)?;
         for _ in 0..MOST_RETOLD {
-            let Some(better) = retell(&found, ground, &mut random)? else { break };
+            let Some(better) = retell(&found, ground, &mut walk)? else { break };
             found = better;
         }
         found.reviews = review(&found)?;
-        if exchanges == MOST_EXCHANGES || !found.exchange_one(ground)? {
-            return Ok(found);
+        // An exchange is a try: what came of it stays where the whole is no worse.
+        if let Some(before) = before.filter(|before| !before.against(&found, ground).is_ok_and(|worse| worse <= 0.0)) {
+            return Ok(before);
         }
+        let other = if exchanges < MOST_EXCHANGES { found.exchanged(ground, &walk) } else { None };
+        let Some(other) = other else { return Ok(found) };
         exchanges += 1;
-        found.tune(ground)?;
-        found.drop_idle(ground)?;
+        before = Some(std::mem::replace(&mut found, other));
     }
 }
 
@@ -105,22 +108,48 @@ impl<'a> Found<'a> {
     ///
     /// # Errors
     /// [`NoPose`] when the model cannot place a record.
-    pub fn add_all(&mut self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<(), NoPose> {
-        let mut seen = vec![self.names()];
+    pub fn add_all(&mut self, ground: &Ground<'a>, walk: &mut Walk) -> Result<(), NoPose> {
+        self.add_until(ground, walk, |_, _| false)
+    }
+
+    /// [`Found::add_all`] as long as it leads to where no search has been; false where it does not.
+    ///
+    /// # Errors
+    /// [`NoPose`] when the model cannot place a record.
+    pub fn add_what_is_new(&mut self, ground: &Ground<'a>, walk: &mut Walk) -> Result<bool, NoPose> {
+        let mut is_new = true;
+        self.add_until(ground, walk, |walk, names| {
+            is_new = !walk.has_been_at(names);
+            !is_new
+        })?;
+        Ok(is_new)
+    }
+
+    fn add_until(
+        &mut self,
+        ground: &Ground<'a>,
+        walk: &mut Walk,
+        mut ends: impl FnMut(&Walk, &[String]) -> bool,
+    ) -> Result<(), NoPose> {
+        let mut seen: Vec<Vec<String>> = Vec::new();
         let mut best = self.clone();
-        while self.fitted.terms.len() + self.free.len() < MOST_CAUSES && self.add_some(ground, random)? {
+        loop {
+            // What looks worth taking in at first order may be idle once refitted, and look worth it again.
+            let now = self.names();
+            if seen.contains(&now) || seen.len() > MOST_ROUNDS || ends(walk, &now) {
+                break;
+            }
+            seen.push(now);
+            if self.fitted.terms.len() + self.free.len() >= MOST_CAUSES || !self.add_some(ground, &mut walk.random)? {
+                break;
+            }
             self.tune(ground)?;
             self.drop_idle(ground)?;
             if self.free.is_empty() && self.score() < best.score() {
                 best = self.clone();
             }
-            // What looks worth taking in at first order may be idle once refitted, and look worth it again.
-            let now = self.names();
-            if seen.contains(&now) || seen.len() > MOST_ROUNDS {
-                break;
-            }
-            seen.push(now);
         }
+        seen.into_iter().for_each(|names| walk.remember(names));
         // A fit that ends where nothing is believable any more takes with it what was found before.
         if self.free.is_empty() && best.score() < self.score() - DECIDES {
             *self = Self { impossible: std::mem::take(&mut self.impossible), ..best };
@@ -130,12 +159,12 @@ impl<'a> Found<'a> {
 
     /// What was found told again without what has no name, where names alone tell it as well: a function that was taken in
     /// early may stand in the place of names that the rest has made visible since.
-    fn in_names_alone(&self, ground: &Ground<'a>, random: &mut ChaCha8Rng) -> Result<Option<Self>, NoPose> {
+    fn in_names_alone(&self, ground: &Ground<'a>, walk: &mut Walk) -> Result<Option<Self>, NoPose> {
         if self.free.is_empty() || self.free.iter().any(FreeFunction::is_of_own_position) {
             return Ok(None);
         }
         let mut named = Self { free: Vec::new(), names_only: true, ..self.clone() };
-        named.add_all(ground, random)?;
+        named.add_all(ground, walk)?;
         named.names_only = false;
         Ok((self.against(&named, ground)? <= 0.0).then_some(named))
     }
@@ -181,11 +210,12 @@ impl<'a> Found<'a> {
         if !named.is_empty() {
             let all = named.iter().fold(self.fitted.terms.clone(), |terms, one| joined(&terms, one));
             let first = joined(&self.fitted.terms, &named[0]);
-            // A cause with which the arm does not stand is none; where several came, it may be any of them.
-            let fitted = ground.refit(&self.fitted, &all, &fresh).or_else(|_| ground.refit(&self.fitted, &first, &[]));
+            // A cause with which the arm does not stand, or that runs away, is none; where several came, it may be any of them.
+            let fitted = settled(ground.refit(&self.fitted, &all, &fresh))
+                .or_else(|| settled(ground.refit(&self.fitted, &first, &[])));
             match fitted {
-                Ok(fitted) => self.fitted = fitted,
-                Err(_) => {
+                Some(fitted) => self.fitted = fitted,
+                None => {
                     self.impossible.push(named.swap_remove(0));
                     return self.add_some(ground, random);
                 }
@@ -269,34 +299,44 @@ impl<'a> Found<'a> {
         }
     }
 
-    /// Exchanges one cause for a suspect that explains more in its place.
-    fn exchange_one(&mut self, ground: &Ground<'a>) -> Result<bool, NoPose> {
-        for term in 0..self.fitted.terms.len() {
-            let review = &self.reviews[term];
-            let Some(better) = review.better.clone().filter(|better| better.evidence < review.evidence - DECIDES)
-            else {
-                continue;
-            };
-            let mut terms = self.fitted.terms.clone();
-            terms.remove(term);
-            match better.cause {
-                Cause::Free(function) => {
-                    self.free.push(function);
-                    self.fitted = ground.refit(&self.fitted, &terms, &[])?;
-                }
-                Cause::Named(candidate) => {
-                    let with = joined(&terms, &candidate);
-                    let (fit, _) = ground.fit_like(&self.fitted, &with)?;
-                    if fit.cost > self.fitted.estimate.fit.cost {
-                        continue;
-                    }
-                    self.fitted = ground.refit(&self.fitted, &with, &[])?;
+    /// One cause exchanged for a suspect that explains more in its place, where that leads to causes that have not stood
+    /// together before.
+    fn exchanged(&self, ground: &Ground<'a>, walk: &Walk) -> Option<Self> {
+        (0..self.fitted.terms.len()).find_map(|term| {
+            // A cause with which the arm does not stand is none.
+            let mut other = self.with_better(term, ground).ok().flatten()?;
+            other.tune(ground).ok()?;
+            other.drop_idle(ground).ok()?;
+            (!walk.has_been_at(&other.names())).then_some(other)
+        })
+    }
+
+    /// A cause exchanged for the suspect that explains clearly more in its place; `None` where none does.
+    fn with_better(&self, term: usize, ground: &Ground<'a>) -> Result<Option<Self>, NoPose> {
+        let review = &self.reviews[term];
+        let better = review.better.clone().filter(|better| better.evidence < review.evidence - DECIDES);
+        let Some(better) = better else { return Ok(None) };
+        let mut other = self.clone();
+        let mut terms = self.fitted.terms.clone();
+        terms.remove(term);
+        match better.cause {
+            Cause::Free(function) => other.free.push(function),
+            Cause::Named(candidate) => {
+                terms = joined(&terms, &candidate);
+                let (fit, _) = ground.fit_like(&self.fitted, &terms)?;
+                if fit.cost > self.fitted.estimate.fit.cost {
+                    return Ok(None);
                 }
             }
-            return Ok(true);
         }
-        Ok(false)
+        other.fitted = ground.refit(&self.fitted, &terms, &[])?;
+        Ok(Some(other))
     }
+}
+
+/// A fit that came to an end.
+fn settled<'a>(fitted: Result<Fitted<'a>, NoPose>) -> Option<Fitted<'a>> {
+    fitted.ok().filter(|fitted| fitted.estimate.fit.termination != Termination::OutOfSteps)
 }
 
 /// The suspects that may still have a case in this look at the residuals; the next look asks all of them again.

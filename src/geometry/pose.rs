@@ -33,12 +33,12 @@ impl<T: Real> Pose<T> {
     #[must_use]
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.transpose();
-        Self { rotation, translation: -(rotation * self.translation) }
+        Self { rotation, translation: -rotated(&rotation, &self.translation) }
     }
 
     /// A point of the inner frame, in coordinates of the outer one.
     pub fn transform_point(&self, point: &Vector3<T>) -> Vector3<T> {
-        self.rotation * point + self.translation
+        rotated(&self.rotation, point) + self.translation
     }
 
     /// A pose of dual or plain numbers from plain ones.
@@ -52,10 +52,22 @@ impl<T: Real> std::ops::Mul for Pose<T> {
 
     fn mul(self, inner: Pose<T>) -> Pose<T> {
         Pose {
-            rotation: self.rotation * inner.rotation,
-            translation: self.rotation * inner.translation + self.translation,
+            rotation: composed(&self.rotation, &inner.rotation),
+            translation: self.transform_point(&inner.translation),
         }
     }
+}
+
+/// `rotation * vector`, written out: the general product of nalgebra is a call for each column, and a model is made of these.
+pub fn rotated<T: Real>(rotation: &Matrix3<T>, vector: &Vector3<T>) -> Vector3<T> {
+    let row = |i: usize| rotation[(i, 0)] * vector.x + rotation[(i, 1)] * vector.y + rotation[(i, 2)] * vector.z;
+    Vector3::new(row(0), row(1), row(2))
+}
+
+/// `outer * inner`, written out as [`rotated`] is.
+pub fn composed<T: Real>(outer: &Matrix3<T>, inner: &Matrix3<T>) -> Matrix3<T> {
+    let column = |j: usize| rotated(outer, &inner.column(j).clone_owned());
+    Matrix3::from_columns(&[column(0), column(1), column(2)])
 }
 
 /// A turn about the x axis by `angle` radians.
@@ -101,8 +113,20 @@ pub fn rotation_from_vector<T: Real>(v: &Vector3<T>) -> Matrix3<T> {
         let (sin, cos) = num_dual::DualNum::sin_cos(&angle);
         (sin / angle, (T::one() - cos) / angle_squared)
     };
-    let k = skew(v);
-    Matrix3::identity() + k * sinc + k * k * cosc
+    // `1 + sinc K + cosc K K` with `K K = v v' - v'v`.
+    let (turn, part) = (v * sinc, v * cosc);
+    let level = T::one() - angle_squared * cosc;
+    Matrix3::new(
+        part.x * v.x + level,
+        part.x * v.y - turn.z,
+        part.x * v.z + turn.y,
+        part.y * v.x + turn.z,
+        part.y * v.y + level,
+        part.y * v.z - turn.x,
+        part.z * v.x - turn.y,
+        part.z * v.y + turn.x,
+        part.z * v.z + level,
+    )
 }
 
 /// The rotation vector (axis times angle, radians, angle at most pi) of a rotation matrix.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::geometry::pose::{Pose, rotation_from_vector, rotation_x, rotation_y};
+use crate::geometry::pose::{Pose, composed, rotation_from_vector, rotation_x, rotation_y};
 use crate::geometry::real::Real;
 
 use super::effect::Response;
@@ -37,6 +37,12 @@ pub struct Chain<T: Real> {
 }
 
 impl<T: Real> Chain<T> {
+    /// A chain in no pose yet.
+    pub fn at_rest() -> Self {
+        let idle = Axis { origin: Vector3::zeros(), direction: Vector3::zeros() };
+        Self { axes: [idle; DOF], frames: [Pose::identity(); DOF] }
+    }
+
     /// `base_T_flange`.
     pub fn flange(&self) -> Pose<T> {
         self.frames[DOF - 1]
@@ -68,15 +74,20 @@ impl<T: Real> Rows<T> {
 
     /// The chain at these row angles, with what the effects do to axes, links and base.
     pub fn at(&self, theta_rad: &[T; DOF], response: &Response<T>) -> Chain<T> {
+        let mut chain = Chain::at_rest();
+        self.place(theta_rad, response, &mut chain);
+        chain
+    }
+
+    /// [`Rows::at`] in a chain that is there already.
+    pub fn place(&self, theta_rad: &[T; DOF], response: &Response<T>, chain: &mut Chain<T>) {
         let mut pose = if response.base_moves { displacement_pose(&response.base) } else { Pose::identity() };
-        let idle = Axis { origin: Vector3::zeros(), direction: Vector3::zeros() };
-        let mut chain = Chain { axes: [idle; DOF], frames: [Pose::identity(); DOF] };
         for (joint, &theta) in theta_rad.iter().enumerate() {
             if let Some(before) = &self.before[joint] {
                 pose = pose * *before;
             }
             if response.axes_tilt {
-                pose.rotation *= rotation_from_vector(&response.tilt[joint]);
+                pose.rotation = composed(&pose.rotation, &rotation_from_vector(&response.tilt[joint]));
             }
             chain.axes[joint] = Axis { origin: pose.translation, direction: pose.rotation.column(2).clone_owned() };
             pose = Pose { rotation: turned(&pose.rotation, theta), ..pose } * self.after[joint];
@@ -85,7 +96,6 @@ impl<T: Real> Rows<T> {
             }
             chain.frames[joint] = pose;
         }
-        chain
     }
 }
 

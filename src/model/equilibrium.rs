@@ -1,5 +1,7 @@
 //! Static equilibrium: deflection depends on torque, and torque on the deflected pose.
 
+use crate::geometry::pose::Pose;
+
 use super::arm::{ArmError, ArmState, PreparedArm};
 use super::chain::Chain;
 use super::conditions::Conditions;
@@ -15,11 +17,21 @@ const EQUILIBRIUM_RAD: f64 = 1e-10;
 /// Rounds after which an equilibrium that still moves is called unstable. Compliances contract by 1e-3 a round.
 const EQUILIBRIUM_ROUNDS: usize = 40;
 
+/// Change of derivatives, in parts of themselves, below which they count as settled: what a round changes less than this.
+const SLOPES_SETTLED: f64 = 1e-6;
+
 /// What stays as it is while the arm settles.
 struct Stand<'a, T: ModelScalar> {
     conditions: &'a Conditions,
-    commanded: [T; DOF],
     load: Load<T>,
+}
+
+/// What a round changed.
+struct Change {
+    /// Of the deflection, rad or m.
+    value: f64,
+    /// Of its derivatives, in parts of themselves; zero for plain numbers.
+    slopes: f64,
 }
 
 impl<T: ModelScalar> PreparedArm<'_, T> {
@@ -35,21 +47,23 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         conditions: &Conditions,
         start: Option<&Response<T>>,
     ) -> Result<ArmState<T>, ArmError> {
-        let stand = self.stand(numbers_rad, conditions);
-        let mut assumed = start.copied().unwrap_or_else(Response::none);
-        let mut change_rad = f64::INFINITY;
-        let mut settled = 0;
+        let mut state = self.unloaded(numbers_rad);
+        if let Some(start) = start {
+            state.response = *start;
+        }
+        let stand = self.stand(&state, conditions);
+        let mut last = Change { value: f64::INFINITY, slopes: 1.0 };
         for _ in 0..EQUILIBRIUM_ROUNDS {
-            let mut state = self.deflected(&stand, &assumed)?;
-            change_rad = state.response.largest_change(&assumed);
-            settled = if change_rad < EQUILIBRIUM_RAD { settled + 1 } else { 0 };
-            if settled > T::ROUNDS_FOR_DERIVATIVES {
+            let change = self.settle(&stand, &mut state)?;
+            // Each round contracts as the one before did: what the next one would change counts, not what this one has.
+            let next_slopes = change.slopes * (change.slopes / last.slopes).min(1.0);
+            if change.value < EQUILIBRIUM_RAD && (change.slopes == 0.0 || next_slopes < SLOPES_SETTLED) {
                 self.add_learned_shift(&stand, &mut state);
                 return Ok(state);
             }
-            assumed = state.response;
+            last = change;
         }
-        Err(ArmError::NoEquilibrium { change_rad })
+        Err(ArmError::NoEquilibrium { change_rad: last.value })
     }
 
     /// One round: the arm at these joint numbers, deflected as `assumed`. [`ArmState::response`] is how it then
@@ -63,69 +77,79 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         conditions: &Conditions,
         assumed: &Response<T>,
     ) -> Result<ArmState<T>, ArmError> {
-        let stand = self.stand(numbers_rad, conditions);
-        let mut state = self.deflected(&stand, assumed)?;
+        let mut state = ArmState { response: *assumed, ..self.unloaded(numbers_rad) };
+        let stand = self.stand(&state, conditions);
+        self.settle(&stand, &mut state)?;
         self.add_learned_shift(&stand, &mut state);
         Ok(state)
     }
 
-    fn stand<'c>(&self, numbers_rad: &[T; DOF], conditions: &'c Conditions) -> Stand<'c, T> {
+    /// An arm that has its commands and nothing else yet.
+    fn unloaded(&self, numbers_rad: &[T; DOF]) -> ArmState<T> {
+        ArmState {
+            base_t_flange: Pose::identity(),
+            chain: Chain::at_rest(),
+            angles: RowAngles::none(),
+            actuators_rad: actuators_from_numbers(&self.model.robot, numbers_rad),
+            response: Response::none(),
+            statics: Statics::none(),
+        }
+    }
+
+    fn stand<'c>(&self, state: &ArmState<T>, conditions: &'c Conditions) -> Stand<'c, T> {
         let robot = &self.model.robot;
-        let commanded = actuators_from_numbers(robot, numbers_rad);
         let mut load = Load::declared(robot, conditions.payload.as_ref());
-        let setting = Setting { robot, conditions, actuators_rad: &commanded };
+        let setting = Setting { robot, conditions, actuators_rad: &state.actuators_rad };
         for (instance, parameters) in self.model.effects.iter().zip(&self.parameters.effects) {
             T::load(instance.effect, &instance.location, parameters, &setting, &mut load);
         }
-        Stand { conditions, commanded, load }
+        Stand { conditions, load }
     }
 
-    fn deflected(&self, stand: &Stand<'_, T>, assumed: &Response<T>) -> Result<ArmState<T>, ArmError> {
+    /// Deflects the arm as it responds now, in place (an arm of dual numbers has seventeen kilobytes), and finds how it
+    /// responds then.
+    fn settle(&self, stand: &Stand<'_, T>, state: &mut ArmState<T>) -> Result<Change, ArmError> {
         let robot = &self.model.robot;
         let standing: [T; DOF] = std::array::from_fn(|joint| {
-            stand.commanded[joint] + self.parameters.rows[joint].offset_rad + assumed.actuators_rad[joint]
+            state.actuators_rad[joint] + self.parameters.rows[joint].offset_rad + state.response.actuators_rad[joint]
         });
-        let angles = row_angles(robot, &standing, &self.loop_errors)?;
-        let chain = self.rows.at(&angles.theta_rad, assumed);
-        let statics = Statics::of(robot, &chain, &angles, &stand.load);
-        let response = self.respond(stand, &chain, &angles, &statics);
-        let base_t_flange = chain.flange();
-        Ok(ArmState { base_t_flange, chain, angles, actuators_rad: stand.commanded, response, statics })
+        state.angles = row_angles(robot, &standing, &self.loop_errors)?;
+        self.rows.place(&state.angles.theta_rad, &state.response, &mut state.chain);
+        state.statics.weigh(robot, &state.chain, &state.angles, &stand.load);
+        state.base_t_flange = state.chain.flange();
+        let mut next = Response::none();
+        self.respond(stand, state, &mut next);
+        let change =
+            Change { value: next.largest_change(&state.response), slopes: T::change_of_slopes(&next, &state.response) };
+        state.response = next;
+        Ok(change)
     }
 
-    fn respond(
-        &self,
-        stand: &Stand<'_, T>,
-        chain: &Chain<T>,
-        angles: &RowAngles<T>,
-        statics: &Statics<T>,
-    ) -> Response<T> {
+    fn respond(&self, stand: &Stand<'_, T>, state: &ArmState<T>, response: &mut Response<T>) {
         let context = Context {
             robot: &self.model.robot,
             largest_torque_nm: &self.largest_torque_nm,
             conditions: stand.conditions,
-            actuators_rad: &stand.commanded,
-            angles,
-            chain,
-            statics,
+            actuators_rad: &state.actuators_rad,
+            angles: &state.angles,
+            chain: &state.chain,
+            statics: &state.statics,
             load: &stand.load,
         };
-        let mut response = Response::none();
         for (instance, parameters) in self.model.effects.iter().zip(&self.parameters.effects) {
-            T::respond(instance.effect, &instance.location, parameters, &context, &mut response);
+            T::respond(instance.effect, &instance.location, parameters, &context, response);
         }
         if let Some(learner) = self.learner_for(Output::Actuators) {
-            let learned = learner.outputs(&stand.commanded, &statics.actuator_torque_nm, stand.conditions);
+            let learned = learner.outputs(&state.actuators_rad, &state.statics.actuator_torque_nm, stand.conditions);
             for (joint, angle) in learned.into_iter().enumerate() {
                 response.turn(joint, angle);
             }
         }
-        response
     }
 
     fn add_learned_shift(&self, stand: &Stand<'_, T>, state: &mut ArmState<T>) {
         if let Some(learner) = self.learner_for(Output::Position) {
-            let learned = learner.outputs(&stand.commanded, &state.statics.actuator_torque_nm, stand.conditions);
+            let learned = learner.outputs(&state.actuators_rad, &state.statics.actuator_torque_nm, stand.conditions);
             for (coordinate, shift) in state.base_t_flange.translation.iter_mut().zip(learned) {
                 *coordinate += shift;
             }

@@ -37,6 +37,14 @@ pub struct RowAngles<T> {
     pub driven_curvature: [T; 3],
 }
 
+impl<T: Real> RowAngles<T> {
+    /// All rows at zero.
+    pub fn none() -> Self {
+        let zero = T::zero();
+        Self { theta_rad: [zero; DOF], driven_by_around: zero, driven_by_own: zero, driven_curvature: [zero; 3] }
+    }
+}
+
 /// Speeds and accelerations of the rows.
 #[derive(Clone, Copy, Debug)]
 pub struct RowRates<T> {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::geometry::pose::rotation_x;
+use crate::geometry::pose::{rotated, rotation_x};
 use crate::geometry::real::Real;
 
 use super::chain::Chain;
@@ -90,38 +90,45 @@ impl<T: Real> Statics<T> {
         }
     }
 
-    /// The loads of a robot with link masses; of one without, the torques of devices alone.
-    pub fn of(robot: &Robot, chain: &Chain<T>, angles: &RowAngles<T>, load: &Load<T>) -> Self {
-        let mut statics = match &robot.links {
-            Some(links) => Self::of_weights(robot, links, chain, angles, load),
-            None => Self::none(),
-        };
-        for (torque, device) in statics.actuator_torque_nm.iter_mut().zip(&load.device_torque_nm) {
-            *torque += *device;
+    /// Puts in the loads of a robot with link masses; of one without, the torques of devices alone.
+    pub fn weigh(&mut self, robot: &Robot, chain: &Chain<T>, angles: &RowAngles<T>, load: &Load<T>) {
+        if let Some(links) = &robot.links {
+            self.weigh_links(robot, links, chain, angles, load);
+            for (torque, device) in self.actuator_torque_nm.iter_mut().zip(&load.device_torque_nm) {
+                *torque += *device;
+            }
+        } else {
+            self.actuator_torque_nm = load.device_torque_nm;
         }
-        statics
     }
 
-    fn of_weights(robot: &Robot, links: &[Mass; DOF], chain: &Chain<T>, angles: &RowAngles<T>, load: &Load<T>) -> Self {
-        let mut statics = Self { gravity_m_s2: load.gravity_m_s2, ..Self::none() };
+    fn weigh_links(
+        &mut self,
+        robot: &Robot,
+        links: &[Mass; DOF],
+        chain: &Chain<T>,
+        angles: &RowAngles<T>,
+        load: &Load<T>,
+    ) {
+        self.gravity_m_s2 = load.gravity_m_s2;
         let flange = chain.flange();
-        statics.payload = Outboard {
+        self.payload = Outboard {
             mass_kg: load.payload_kg,
-            first_moment_kg_m: flange.rotation * load.payload_moment_kg_m + flange.translation * load.payload_kg,
+            first_moment_kg_m: rotated(&flange.rotation, &load.payload_moment_kg_m)
+                + flange.translation * load.payload_kg,
         };
-        let mut beyond = statics.payload;
+        let mut beyond = self.payload;
         let mut row_torque = [T::zero(); DOF];
         for joint in (0..DOF).rev() {
             let mass = T::constant(links[joint].mass_kg);
             let center = chain.frames[joint].transform_point(&links[joint].center_of_mass_m.map(T::constant));
             beyond.mass_kg += mass;
             beyond.first_moment_kg_m += center * mass;
-            statics.outboard[joint] = beyond;
+            self.outboard[joint] = beyond;
             let axis = &chain.axes[joint];
             row_torque[joint] = axis.direction.dot(&beyond.moment_about(&axis.origin, &load.gravity_m_s2));
         }
-        statics.actuator_torque_nm = actuator_torque(robot, angles, &row_torque);
-        statics
+        self.actuator_torque_nm = actuator_torque(robot, angles, &row_torque);
     }
 
     /// What hangs on the far end of a link: the links after it and the payload.

@@ -9,7 +9,7 @@
 
 use nalgebra::Vector3;
 
-use crate::geometry::pose::rotation_from_vector;
+use crate::geometry::pose::{rotated, rotation_from_vector};
 use crate::geometry::real::Real;
 use crate::model::statics::Load;
 
@@ -47,7 +47,7 @@ impl Physics for GravityTilt {
             let upright = setting.robot.gravity_m_s2.iamax();
             turn[if upright == 0 { 1 } else { 0 }] = *first;
             turn[if upright == 2 { 1 } else { 2 }] = *second;
-            load.gravity_m_s2 = rotation_from_vector(&turn) * load.gravity_m_s2;
+            load.gravity_m_s2 = rotated(&rotation_from_vector(&turn), &load.gravity_m_s2);
         }
     }
 }

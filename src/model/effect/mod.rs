@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use crate::geometry::real::{Dual, Real};
+use crate::geometry::real::{DUAL_WIDTH, Dual, Real, derivatives};
 
 use super::chain::Chain;
 use super::conditions::Conditions;
@@ -186,9 +186,9 @@ impl<P: Physics> Effect for P {
 
 /// The scalars that the model runs on: picks the entry of an [`Effect`].
 pub trait ModelScalar: Real {
-    /// Further rounds towards equilibrium after the value has settled: derivatives follow a round behind, each round
-    /// a thousand times nearer.
-    const ROUNDS_FOR_DERIVATIVES: usize;
+    /// By how much the derivatives of two responses differ, in parts of the largest; zero for plain numbers. They settle
+    /// later than the values do.
+    fn change_of_slopes(now: &Response<Self>, last: &Response<Self>) -> f64;
 
     /// [`Physics::load`].
     fn load(
@@ -209,7 +209,9 @@ pub trait ModelScalar: Real {
 }
 
 impl ModelScalar for f64 {
-    const ROUNDS_FOR_DERIVATIVES: usize = 0;
+    fn change_of_slopes(_: &Response<f64>, _: &Response<f64>) -> f64 {
+        0.0
+    }
 
     fn load(effect: &dyn Effect, at: &Location, parameters: &[f64], setting: &Setting<'_, f64>, load: &mut Load<f64>) {
         effect.load_plain(at, parameters, setting, load);
@@ -226,7 +228,18 @@ impl ModelScalar for f64 {
 }
 
 impl ModelScalar for Dual {
-    const ROUNDS_FOR_DERIVATIVES: usize = 3;
+    fn change_of_slopes(now: &Response<Dual>, last: &Response<Dual>) -> f64 {
+        let (mut change, mut size) = ([0.0f64; DUAL_WIDTH], [0.0f64; DUAL_WIDTH]);
+        for (now, last) in now.numbers().zip(last.numbers()) {
+            let (now, last) = (derivatives(now), derivatives(last));
+            for slot in 0..DUAL_WIDTH {
+                change[slot] = change[slot].max((now[slot] - last[slot]).abs());
+                size[slot] = size[slot].max(now[slot].abs());
+            }
+        }
+        let parts = change.iter().zip(&size).filter(|(_, size)| **size > 0.0).map(|(change, size)| change / size);
+        parts.fold(0.0, f64::max)
+    }
 
     fn load(
         effect: &dyn Effect,

@@ -61,6 +61,12 @@ impl<T: Real> Response<T> {
         }
     }
 
+    /// Every number of it.
+    pub fn numbers(&self) -> impl Iterator<Item = &T> {
+        let tilt = self.tilt.iter().flat_map(|vector| vector.iter());
+        self.actuators_rad.iter().chain(tilt).chain(self.links.iter().flatten()).chain(&self.base).chain(&self.tool)
+    }
+
     /// The largest difference between two responses, rad or m; infinite where one is no number.
     pub fn largest_change(&self, last: &Self) -> f64 {
         let turns = differences(&self.actuators_rad, &last.actuators_rad);
