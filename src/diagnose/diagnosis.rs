@@ -9,6 +9,7 @@ use crate::identify::identify::{Identified, deviations, of_one_joint};
 use crate::identify::problem::{NoPose, Problem};
 use crate::identify::report::Figures;
 use crate::identify::robust;
+use crate::identify::stated::trusting;
 use crate::measure::recording::{Kind, Recording};
 use crate::model::arm::{ArmModel, EffectInstance};
 use crate::model::effect::{Location, by_id};
@@ -143,10 +144,14 @@ const ROUNDS: usize = 2;
 pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) -> Result<Diagnosis<'a>, Refusal> {
     let kind = Kind::of(recordings);
     let base = baseline(given, recordings, seed)?;
-    let Searched { found, bare, kept } = match explained_crowd(&base, kind, seed)? {
+    let Searched { mut found, mut bare, kept } = match explained_crowd(&base, kind, seed)? {
         Some(searched) => searched,
         None => searched(&base, &base.identified.clone()?, kind, seed)?,
     };
+    // Now that nothing is missing any more that the stated compliances could stand in for.
+    for fitted in [&mut found.fitted, &mut bare] {
+        fitted.estimate = trusting(&fitted.estimate)?;
+    }
     let outliers = (0..base.problem.records.len())
         .filter(|index| !kept.contains(index))
         .map(|index| base.problem.records[index].observation.id.clone())

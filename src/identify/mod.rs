@@ -30,6 +30,7 @@ pub mod settle;
 pub mod solve;
 pub mod split;
 pub mod state;
+pub mod stated;
 pub mod station_report;
 pub mod stations;
 pub mod structure;
