@@ -86,7 +86,7 @@ pub fn search_in<'a>(ground: &Ground<'a>, bare: Fitted<'a>, kind: Kind, seed: u6
         if let Ok(Some(named)) = found.in_names_alone(ground, &mut walk) {
             found = named;
         }
-        simplify(&mut found, ground)?;
+        simplify(&mut found, ground);
         for _ in 0..MOST_RETOLD {
             let Some(better) = retell(&found, ground, &mut walk)? else { break };
             found = better;
@@ -248,7 +248,7 @@ impl<'a> Found<'a> {
             }
         }
         if changed {
-            let fitted = ground.refit(&self.fitted, &terms, &[])?;
+            let Ok(fitted) = ground.refit(&self.fitted, &terms, &[]) else { return Ok(()) };
             if fitted.estimate.spread.sigma_m <= self.fitted.estimate.spread.sigma_m {
                 self.fitted = fitted;
             }
@@ -277,7 +277,8 @@ impl<'a> Found<'a> {
             let Some((term, _)) = idlest else { return Ok(()) };
             let mut terms = self.fitted.terms.clone();
             terms.remove(term);
-            self.fitted = ground.refit(&self.fitted, &terms, &[])?;
+            let Ok(fitted) = ground.refit(&self.fitted, &terms, &[]) else { return Ok(()) };
+            self.fitted = fitted;
         }
     }
 
@@ -334,9 +335,12 @@ impl<'a> Found<'a> {
     }
 }
 
-/// A fit that came to an end.
+/// A fit that came to an end where the arm stands and can be asked what moves it.
 fn settled<'a>(fitted: Result<Fitted<'a>, NoPose>) -> Option<Fitted<'a>> {
-    fitted.ok().filter(|fitted| fitted.estimate.fit.termination != Termination::OutOfSteps)
+    fitted.ok().filter(|Fitted { estimate, .. }| {
+        estimate.fit.termination != Termination::OutOfSteps
+            && Regressors::new(&estimate.problem, &estimate.fit.state).is_ok()
+    })
 }
 
 /// The suspects that may still have a case in this look at the residuals; the next look asks all of them again.

@@ -13,27 +13,20 @@ use super::evidence::price;
 use super::fitted::Ground;
 use super::found::Found;
 
-/// Takes out every cause whose neighbours, their constants searched for again, make it needless; true when one was.
-///
-/// # Errors
-/// [`NoPose`] when the model cannot place a record.
-pub fn simplify<'a>(found: &mut Found<'a>, ground: &Ground<'a>) -> Result<bool, NoPose> {
-    let mut changed = false;
+/// Takes out every cause whose neighbours, their constants searched for again, make it needless.
+pub fn simplify<'a>(found: &mut Found<'a>, ground: &Ground<'a>) {
     let mut term = 0;
     while term < found.fitted.terms.len() {
-        let simpler = match straightened(found, ground, term)? {
-            Some(simpler) => Some(simpler),
-            None => without(found, ground, term)?,
-        };
-        match simpler {
+        // Without which the arm does not stand is needed.
+        let straight = straightened(found, ground, term).ok().flatten();
+        match straight.or_else(|| without(found, ground, term).ok().flatten()) {
             Some(simpler) => {
                 *found = simpler;
-                (changed, term) = (true, 0);
+                term = 0;
             }
             None => term += 1,
         }
     }
-    Ok(changed)
 }
 
 /// What was found with a straight spring in the place of a bent one that came with its straight part, where the bend alone

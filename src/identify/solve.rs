@@ -10,6 +10,10 @@ use super::unknown::{Unknown, UnknownId};
 /// Steps that change the estimate by less than this part of its standard uncertainty end the iteration: what a further
 /// step would change is smaller still.
 const SMALL_STEP: f64 = 1e-3;
+/// Steps that lower the cost by less than this part of what one degree of freedom leaves, ...
+const SLOW: f64 = 1e-2;
+/// ... so many of them one after the other, end it too: all of them together are no evidence of anything.
+const SLOW_STEPS: usize = 3;
 /// Largest number of Jacobians.
 const MOST_STEPS: usize = 40;
 /// Damping at which a step is called hopeless.
@@ -25,6 +29,8 @@ const BRINK: f64 = 1e3;
 pub enum Termination {
     /// The last step was small against the uncertainty of the estimate.
     Converged,
+    /// Steps go on, but the cost hardly falls any more: a valley along which the records say nothing.
+    Valley,
     /// No step lowers the cost any more, though the gradient says one should: rounding.
     Stalled,
     /// The number of steps ran out.
@@ -98,6 +104,7 @@ pub fn solve(problem: &Problem<'_>, start: State, unknowns: &[Unknown], weights:
     let mut cost = cost_of(&residuals, &whitening, &roots, &state, unknowns);
     let mut damping = 0.0f64;
     let mut termination = Termination::OutOfSteps;
+    let mut slow_steps = 0;
     let mut before: Option<(State, DVector<f64>, f64)> = None;
     for _ in 0..MOST_STEPS {
         let mut jacobian = match (problem.jacobian(&state, unknowns), before.take()) {
@@ -137,10 +144,15 @@ pub fn solve(problem: &Problem<'_>, start: State, unknowns: &[Unknown], weights:
         };
         let small = match accepted {
             Some((next, next_residuals, next_cost, small)) => {
+                let is_slow = cost - next_cost < SLOW * cost / residuals.len().max(1) as f64;
+                slow_steps = if is_slow { slow_steps + 1 } else { 0 };
                 before = Some((state, residuals, cost));
                 (state, residuals, cost) = (next, next_residuals, next_cost);
                 damping = if damping < LEAST_DAMPING { 0.0 } else { damping * 0.1 };
-                small
+                if !small && slow_steps == SLOW_STEPS {
+                    termination = Termination::Valley;
+                }
+                small || slow_steps == SLOW_STEPS
             }
             None => {
                 termination = Termination::Stalled;
