@@ -19,6 +19,9 @@ pub fn tell(report: &DiagnosisReport, console: &Console) {
     }
     if let Some(unexplained) = &report.unexplained {
         console.say(&format!("without a name: {}", unexplained.statement));
+        console.say(
+            "the updated model has no part for it: `falsetarget calibrate` learns from this recording what has no name",
+        );
     }
     for note in report.stations.iter().filter_map(StationReport::note) {
         console.say(&note);

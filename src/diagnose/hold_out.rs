@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use crate::identify::problem::Problem;
 use crate::identify::split::regions;
+use crate::learn::folds::folds;
 use crate::measure::observation::Observation;
 use crate::measure::recording::Kind;
 
@@ -13,6 +14,9 @@ use super::projection::Projection;
 const BLOCK: usize = 24;
 /// Fewest and most blocks.
 const BLOCKS: (usize, usize) = (5, 12);
+
+/// Folds in which curves are held out.
+const FOLDS: usize = 10;
 
 /// Which block each record belongs to.
 #[derive(Clone, Debug)]
@@ -34,6 +38,16 @@ impl Blocks {
             Kind::Continuous => (0..records).map(|index| index * count / records.max(1)).collect(),
         };
         Self { of_record, count }
+    }
+
+    /// The learner's folds where the arm stood: small regions, dealt out, so that no joint loses a part of its range. A curve
+    /// says nothing of angles where nothing was measured, and is not asked there; in motion as [`Blocks::new`].
+    pub fn for_curves(problem: &Problem<'_>, kind: Kind, seed: u64) -> Self {
+        if kind == Kind::Continuous {
+            return Self::new(problem, kind, seed);
+        }
+        let observations: Vec<&Observation> = problem.records.iter().map(|record| record.observation).collect();
+        Self { of_record: folds(&observations, FOLDS, seed), count: FOLDS }
     }
 }
 

@@ -24,7 +24,7 @@ use crate::measure::recording::Kind;
 use super::evidence::{self, DECIDES, SMALLEST_PART};
 use super::fitted::{Fitted, Ground};
 use super::found::Found;
-use super::hold_out::{fall_in_errors, held_out_squares_m2};
+use super::hold_out::{Blocks, fall_in_errors, held_out_squares_m2};
 use super::projection::Projection;
 use super::search::search_in;
 use super::spectrum::{Line, strongest_line};
@@ -144,8 +144,9 @@ pub fn with_curves<'a>(
         None => lines.fitted.clone(),
         Some(part) => part.refit(&lines.fitted, &lines.fitted.terms, &[])?,
     };
+    let blocks = Blocks::for_curves(&plain.estimate.problem, kind, seed);
     let squares =
-        |fitted: &Fitted<'_>| held_out_squares_m2(&fitted.estimate.problem, &found.blocks, &fitted.projection(None));
+        |fitted: &Fitted<'_>| held_out_squares_m2(&fitted.estimate.problem, &blocks, &fitted.projection(None));
     if fall_in_errors(&squares(&plain), &squares(&found.fitted)) < SURELY_NEARER {
         return Ok(None);
     }

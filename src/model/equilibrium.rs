@@ -119,8 +119,10 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         state.base_t_flange = state.chain.flange();
         let mut next = Response::none();
         self.respond(stand, state, &mut next);
-        let change =
-            Change { value: next.largest_change(&state.response), slopes: T::change_of_slopes(&next, &state.response) };
+        let change = Change {
+            value: next.largest_change(&state.response),
+            slopes: T::change_of_slopes(&next, &state.response, &state.base_t_flange.translation),
+        };
         state.response = next;
         Ok(change)
     }

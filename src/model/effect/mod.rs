@@ -186,9 +186,9 @@ impl<P: Physics> Effect for P {
 
 /// The scalars that the model runs on: picks the entry of an [`Effect`].
 pub trait ModelScalar: Real {
-    /// By how much the derivatives of two responses differ, in parts of the largest; zero for plain numbers. They settle
-    /// later than the values do.
-    fn change_of_slopes(now: &Response<Self>, last: &Response<Self>) -> f64;
+    /// By how much the derivatives of two responses differ, in parts of the largest that they or the flange's place have; zero for
+    /// plain numbers. They settle later than the values do.
+    fn change_of_slopes(now: &Response<Self>, last: &Response<Self>, flange_m: &Vector3<Self>) -> f64;
 
     /// [`Physics::load`].
     fn load(
@@ -209,7 +209,7 @@ pub trait ModelScalar: Real {
 }
 
 impl ModelScalar for f64 {
-    fn change_of_slopes(_: &Response<f64>, _: &Response<f64>) -> f64 {
+    fn change_of_slopes(_: &Response<f64>, _: &Response<f64>, _: &Vector3<f64>) -> f64 {
         0.0
     }
 
@@ -228,7 +228,7 @@ impl ModelScalar for f64 {
 }
 
 impl ModelScalar for Dual {
-    fn change_of_slopes(now: &Response<Dual>, last: &Response<Dual>) -> f64 {
+    fn change_of_slopes(now: &Response<Dual>, last: &Response<Dual>, flange_m: &Vector3<Dual>) -> f64 {
         let (mut change, mut size) = ([0.0f64; DUAL_WIDTH], [0.0f64; DUAL_WIDTH]);
         for (now, last) in now.numbers().zip(last.numbers()) {
             let (now, last) = (derivatives(now), derivatives(last));
@@ -236,6 +236,9 @@ impl ModelScalar for Dual {
                 change[slot] = change[slot].max((now[slot] - last[slot]).abs());
                 size[slot] = size[slot].max(now[slot].abs());
             }
+        }
+        for slopes in flange_m.iter().map(derivatives) {
+            size.iter_mut().zip(slopes).for_each(|(size, slope)| *size = size.max(slope.abs()));
         }
         let parts = change.iter().zip(&size).filter(|(_, size)| **size > 0.0).map(|(change, size)| change / size);
         parts.fold(0.0, f64::max)
@@ -264,4 +267,24 @@ impl ModelScalar for Dual {
 /// The effect with this id.
 pub fn by_id(id: &str) -> Option<&'static dyn Effect> {
     EFFECTS.iter().copied().find(|effect| effect.meta().id == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::real::seeded;
+
+    #[test]
+    fn derivatives_that_are_rounding_beside_those_of_the_flange_have_settled() {
+        let turned = |slope: f64| {
+            let mut response = Response::none();
+            response.turn(2, seeded(0.0, 0) * Dual::constant(slope));
+            response
+        };
+        let flange_m = Vector3::new(seeded(1.2, 0), Dual::constant(0.0), Dual::constant(0.4));
+        assert!(Dual::change_of_slopes(&turned(1e-19), &turned(-1e-19), &flange_m) < 1e-15);
+        let still = Vector3::from_element(Dual::constant(1.0));
+        assert!((Dual::change_of_slopes(&turned(3e-7), &turned(2e-7), &still) - 1.0 / 3.0).abs() < 1e-12);
+        assert_eq!(Dual::change_of_slopes(&turned(0.0), &turned(0.0), &still), 0.0);
+    }
 }
