@@ -75,10 +75,12 @@ impl<'a> Found<'a> {
             Cause::Free(function) => !function.is_of_own_position(),
             Cause::Named(_) => false,
         };
-        if let Some(first) =
-            worth.first().copied().filter(in_question).and_then(|function| names_tell(function, &named))
-        {
-            worth = vec![named[first]];
+        let told = worth.first().copied().filter(in_question).and_then(|function| names_tell(function, &named));
+        if let Some(name) = told.map(|first| named[first]) {
+            if self.stands_up(name.suspect, projection, random) {
+                return Some((name.suspect.clone(), name.gain.explained / projection.cost));
+            }
+            worth.retain(|ranked| !std::ptr::eq(*ranked, name));
         }
         let mut refused: Vec<usize> = Vec::new();
         for _ in 0..worth.len() {
@@ -97,12 +99,17 @@ impl<'a> Found<'a> {
                 continue;
             };
             let suspect = worth[chosen].suspect;
-            if holds(&self.fitted.estimate.problem, &self.blocks, &suspect.columns, projection, random) {
+            if self.stands_up(suspect, projection, random) {
                 return Some((suspect.clone(), worth[chosen].gain.explained / projection.cost));
             }
             refused.push(chosen);
         }
         None
+    }
+
+    /// True for a suspect that held-out records and a shuffle bear out.
+    fn stands_up(&self, suspect: &Suspect, projection: &Projection, random: &mut ChaCha8Rng) -> bool {
+        holds(&self.fitted.estimate.problem, &self.blocks, &suspect.columns, projection, random)
     }
 
     /// Squares, whitened, that a further cause must explain to be one.

@@ -9,7 +9,7 @@ use crate::identify::identify::{Identified, deviations, of_one_joint};
 use crate::identify::problem::{NoPose, Problem};
 use crate::identify::report::Figures;
 use crate::identify::robust;
-use crate::identify::stated::trusting;
+use crate::identify::stated::{doubting, refitted, trusting};
 use crate::measure::recording::{Kind, Recording};
 use crate::model::arm::{ArmModel, EffectInstance};
 use crate::model::effect::{Location, by_id};
@@ -201,7 +201,12 @@ struct Searched<'a> {
 /// Searches, sorts out gross errors beside what was found, and searches again.
 fn searched<'a>(base: &Baseline<'a>, start: &Identified<'a>, kind: Kind, seed: u64) -> Result<Searched<'a>, NoPose> {
     let mut kept = start.kept.clone();
-    let mut bare = Fitted::bare(start.estimate.clone());
+    let doubted = doubting(&base.unknowns, &start.estimate);
+    let mut bare = Fitted::bare(match &doubted {
+        Some(unknowns) => refitted(&start.estimate, unknowns)?,
+        None => start.estimate.clone(),
+    });
+    let unknowns = doubted.unwrap_or_else(|| base.unknowns.clone());
     let mut round = 0;
     loop {
         round += 1;
@@ -209,7 +214,7 @@ fn searched<'a>(base: &Baseline<'a>, start: &Identified<'a>, kind: Kind, seed: u
             problem: base.problem.subset(&kept),
             stated: base.stated,
             state: start.estimate.fit.state.clone(),
-            unknowns: base.unknowns.clone(),
+            unknowns: unknowns.clone(),
             ripple: None,
         };
         let lines = search_from(&ground, bare.clone(), kind, seed)?;

@@ -5,6 +5,8 @@
 //! it alone, and everything else is known better for it. So the relative errors of the stated numbers are taken for draws from
 //! one normal distribution whose width the records tell (empirical Bayes: Efron and Morris 1973; the width averaged over its
 //! posterior, so that three numbers that happen to agree are not taken for proof).
+//!
+//! And where the records contradict a stated compliance outright, its prior holds nothing back any more.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -23,13 +25,41 @@ const WIDTHS: (f64, f64) = (0.01, 0.5);
 /// How many.
 const WIDTHS_TRIED: usize = 24;
 
+/// Standard deviations of its prior by which an estimate contradicts it.
+const CONTRADICTS: f64 = 3.0;
+
+/// The unknowns with the priors of those compliances widened that an estimate contradicts; `None` where it contradicts none.
+///
+/// A normal prior grows ever stronger the further off an estimate is. A drive whose spring is bent may be stated by its stiff
+/// part and be ten times as soft below the bend: held back like that, its true law cannot be fitted.
+pub fn doubting(unknowns: &[Unknown], estimate: &Estimate<'_>) -> Option<Vec<Unknown>> {
+    let state = &estimate.fit.state;
+    let away = |unknown: &Unknown| (state.get(unknown.id).unwrap_or(0.0) - unknown.prior.mean).abs();
+    let contradicted =
+        |unknown: &Unknown| is_stated(unknown, state) && away(unknown) > CONTRADICTS * unknown.prior.sigma;
+    unknowns.iter().any(contradicted).then(|| {
+        let widened = |unknown: &Unknown| {
+            let sigma = if contradicted(unknown) { away(unknown) } else { unknown.prior.sigma };
+            Unknown { prior: Prior { sigma, ..unknown.prior }, ..*unknown }
+        };
+        unknowns.iter().map(widened).collect()
+    })
+}
+
 /// The estimate with the stated compliances trusted as far as its records bear them out.
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
 pub fn trusting<'a>(estimate: &Estimate<'a>) -> Result<Estimate<'a>, NoPose> {
-    let Some(unknowns) = trusted(estimate) else { return Ok(estimate.clone()) };
-    let fit = solve(&estimate.problem, estimate.fit.state.clone(), &unknowns, &[])?;
+    trusted(estimate).map_or_else(|| Ok(estimate.clone()), |unknowns| refitted(estimate, &unknowns))
+}
+
+/// The estimate with other priors, its noise level kept.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn refitted<'a>(estimate: &Estimate<'a>, unknowns: &[Unknown]) -> Result<Estimate<'a>, NoPose> {
+    let fit = solve(&estimate.problem, estimate.fit.state.clone(), unknowns, &[])?;
     Ok(Estimate { fit, ..estimate.clone() })
 }
 
