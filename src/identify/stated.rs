@@ -34,16 +34,20 @@ const CONTRADICTS: f64 = 3.0;
 /// part and be ten times as soft below the bend: held back like that, its true law cannot be fitted.
 pub fn doubting(unknowns: &[Unknown], estimate: &Estimate<'_>) -> Option<Vec<Unknown>> {
     let state = &estimate.fit.state;
-    let away = |unknown: &Unknown| (state.get(unknown.id).unwrap_or(0.0) - unknown.prior.mean).abs();
-    let contradicted =
-        |unknown: &Unknown| is_stated(unknown, state) && away(unknown) > CONTRADICTS * unknown.prior.sigma;
-    unknowns.iter().any(contradicted).then(|| {
-        let widened = |unknown: &Unknown| {
-            let sigma = if contradicted(unknown) { away(unknown) } else { unknown.prior.sigma };
-            Unknown { prior: Prior { sigma, ..unknown.prior }, ..*unknown }
-        };
-        unknowns.iter().map(widened).collect()
-    })
+    let doubted: Vec<Unknown> = unknowns
+        .iter()
+        .map(|unknown| match state.get(unknown.id) {
+            Some(value) if is_stated(unknown, state) => Unknown { prior: borne_out(unknown.prior, value), ..*unknown },
+            _ => *unknown,
+        })
+        .collect();
+    (doubted != unknowns).then_some(doubted)
+}
+
+/// A prior that does not contradict an estimate: as it is, or as wide as the estimate is away.
+fn borne_out(prior: Prior, value: f64) -> Prior {
+    let away = (value - prior.mean).abs();
+    if away > CONTRADICTS * prior.sigma { Prior { sigma: away, ..prior } } else { prior }
 }
 
 /// The estimate with the stated compliances trusted as far as its records bear them out.
@@ -122,6 +126,14 @@ mod tests {
     fn width_of(errors: &[f64], sigma: f64) -> f64 {
         let own = DMatrix::from_diagonal_element(errors.len(), errors.len(), sigma * sigma);
         width(&DVector::from_column_slice(errors), &own)
+    }
+
+    #[test]
+    fn a_prior_that_is_contradicted_is_widened() {
+        let prior = Prior { mean: 1.1e-4, sigma: 5.5e-5 };
+        assert_eq!(borne_out(prior, 2.0e-4), prior);
+        let widened = borne_out(prior, 1.27e-3);
+        assert!(widened.mean == prior.mean && (widened.sigma - 1.16e-3).abs() < 1e-12);
     }
 
     #[test]
