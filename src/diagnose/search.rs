@@ -9,8 +9,8 @@ use crate::measure::recording::Kind;
 use super::candidate::Candidate;
 use super::evidence::{self, DECIDES, HOPELESS};
 use super::fitted::{Fitted, Ground};
-use super::found::{CLEARLY_MORE, Found, joined};
-use super::free::{FreeFunction, free_functions};
+use super::found::{Found, joined};
+use super::free::FreeFunction;
 use super::hold_out::Blocks;
 use super::projection::Projection;
 use super::rank::{Cause, Ranked, Suspect, rank, searched, suspects};
@@ -254,84 +254,6 @@ impl<'a> Found<'a> {
             }
         }
         Ok(())
-    }
-
-    /// Takes out every cause that the others have made idle.
-    ///
-    /// # Errors
-    /// [`NoPose`] when the model cannot place a record.
-    pub fn drop_idle(&mut self, ground: &Ground<'a>) -> Result<(), NoPose> {
-        loop {
-            let estimate = self.fitted.estimate.clone();
-            let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
-            self.drop_idle_free(&regressors);
-            let idle = |term: usize| {
-                let gain = self.gain_of(term);
-                let evidence = match self.free.is_empty() {
-                    true => self.quick_evidence(term, &gain),
-                    false => self.evidence_of(&regressors, term).0,
-                };
-                (evidence >= 0.0 || !self.is_certain(term, &gain)).then_some((term, evidence))
-            };
-            let idlest = (0..self.fitted.terms.len()).filter_map(idle).max_by(|a, b| a.1.total_cmp(&b.1));
-            let Some((term, _)) = idlest else { return Ok(()) };
-            let mut terms = self.fitted.terms.clone();
-            terms.remove(term);
-            let Ok(fitted) = ground.refit(&self.fitted, &terms, &[]) else { return Ok(()) };
-            self.fitted = fitted;
-        }
-    }
-
-    /// The same for unnamed causes: a name found later may have made them idle.
-    fn drop_idle_free(&mut self, regressors: &Regressors<'_, '_>) {
-        let looked_at = evidence::looked_at(free_functions(regressors).len() as f64);
-        let mut index = 0;
-        while index < self.free.len() {
-            let others = self.free.iter().enumerate().filter(|(other, _)| *other != index);
-            let projection = others
-                .fold(self.fitted.projection(None), |projection, (_, free)| projection.with(&free.columns(regressors)));
-            let (gain, evidence) = projection.smooth_gain(&self.free[index].columns(regressors), looked_at);
-            let named = self.named_at(&self.free[index]);
-            if evidence >= 0.0 || gain.explained <= CLEARLY_MORE * named {
-                self.free.remove(index);
-            } else {
-                index += 1;
-            }
-        }
-    }
-
-    /// One cause exchanged for a suspect that explains more in its place, where that leads to causes that have not stood
-    /// together before.
-    fn exchanged(&self, ground: &Ground<'a>, walk: &Walk) -> Option<Self> {
-        (0..self.fitted.terms.len()).find_map(|term| {
-            // A cause with which the arm does not stand is none.
-            let mut other = self.with_better(term, ground).ok().flatten()?;
-            other.tune(ground).ok()?;
-            other.drop_idle(ground).ok()?;
-            (!walk.has_been_at(&other.names())).then_some(other)
-        })
-    }
-
-    /// A cause exchanged for the suspect that explains clearly more in its place; `None` where none does.
-    fn with_better(&self, term: usize, ground: &Ground<'a>) -> Result<Option<Self>, NoPose> {
-        let review = &self.reviews[term];
-        let better = review.better.clone().filter(|better| better.evidence < review.evidence - DECIDES);
-        let Some(better) = better else { return Ok(None) };
-        let mut other = self.clone();
-        let mut terms = self.fitted.terms.clone();
-        terms.remove(term);
-        match better.cause {
-            Cause::Free(function) => other.free.push(function),
-            Cause::Named(candidate) => {
-                terms = joined(&terms, &candidate);
-                let (fit, _) = ground.fit_like(&self.fitted, &terms)?;
-                if fit.cost > self.fitted.estimate.fit.cost {
-                    return Ok(None);
-                }
-            }
-        }
-        other.fitted = ground.refit(&self.fitted, &terms, &[])?;
-        Ok(Some(other))
     }
 }
 
