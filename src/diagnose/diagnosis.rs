@@ -201,12 +201,11 @@ struct Searched<'a> {
 /// Searches, sorts out gross errors beside what was found, and searches again.
 fn searched<'a>(base: &Baseline<'a>, start: &Identified<'a>, kind: Kind, seed: u64) -> Result<Searched<'a>, NoPose> {
     let mut kept = start.kept.clone();
-    let doubted = doubting(&base.unknowns, &start.estimate);
-    let mut bare = Fitted::bare(match &doubted {
-        Some(unknowns) => refitted(&start.estimate, unknowns)?,
-        None => start.estimate.clone(),
-    });
-    let unknowns = doubted.unwrap_or_else(|| base.unknowns.clone());
+    let (unknowns, estimate) = match doubting(&base.unknowns, &start.estimate) {
+        Some(unknowns) => (unknowns.clone(), refitted(&start.estimate, &unknowns)?),
+        None => (base.unknowns.clone(), start.estimate.clone()),
+    };
+    let mut bare = Fitted::bare(estimate);
     let mut round = 0;
     loop {
         round += 1;

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::identify::problem::Problem;
 use crate::identify::split::regions;
-use crate::learn::folds::folds;
+use crate::learn::folds::{FOLDS, folds};
 use crate::measure::observation::Observation;
 use crate::measure::recording::Kind;
 
@@ -14,9 +14,6 @@ use super::projection::Projection;
 const BLOCK: usize = 24;
 /// Fewest and most blocks.
 const BLOCKS: (usize, usize) = (5, 12);
-
-/// Folds in which curves are held out.
-const FOLDS: usize = 10;
 
 /// Which block each record belongs to.
 #[derive(Clone, Debug)]

@@ -149,9 +149,8 @@ fn best_turning_torque(
     let on_grid: Vec<(&Turning, f64, f64)> =
         laws.iter().filter_map(|turning| best_on_grid(turning).map(|(share, gain)| (*turning, share, gain))).collect();
     let &(turning, share, most) = on_grid.iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
-    let columns = columns_through(regressors, &instances(turning.law, share));
     let coarse = candidate(turning.law, share);
-    if evidence::of_candidate(&coarse, &projection.gain(&columns), projection.cost, projection.rows) > HOPELESS {
+    if evidence_against(&coarse, regressors, projection) > HOPELESS {
         return Some(coarse);
     }
     let narrowed_on = |(turning, best, _): &(&Turning, f64, f64)| {
@@ -171,6 +170,12 @@ const SMALLEST_TORQUE_NM: f64 = 1e-3;
 pub fn columns_through(regressors: &Regressors<'_, '_>, instances: &[EffectInstance]) -> DMatrix<f64> {
     let blocks: Vec<DMatrix<f64>> = instances.iter().map(|instance| regressors.through(instance)).collect();
     super::regressors::side_by_side(&blocks, regressors.record_of.len())
+}
+
+/// Evidence against a candidate that acts through the levers, from its score step.
+pub fn evidence_against(candidate: &Candidate, regressors: &Regressors<'_, '_>, projection: &Projection) -> f64 {
+    let gain = projection.gain(&columns_through(regressors, &candidate.instances));
+    evidence::of_candidate(candidate, &gain, projection.cost, projection.rows)
 }
 
 /// Where a function of one constant is largest, by the golden section (Kiefer 1953).
@@ -429,8 +434,7 @@ fn levelling_drift(frame: MovingFrame, regressors: &Regressors<'_, '_>, projecti
     let candidate =
         |part| Candidate { instances: vec![instance(part)], places: FRAMES.len() as f64, chosen_constants: 1 };
     let coarse = candidate(best);
-    let gain = projection.gain(&regressors.through(&instance(best)));
-    if evidence::of_candidate(&coarse, &gain, projection.cost, projection.rows) > HOPELESS {
+    if evidence_against(&coarse, regressors, projection) > HOPELESS {
         return Some(coarse);
     }
     Some(candidate(narrowed(best / factor, best * factor, explained)))

@@ -7,7 +7,7 @@ use crate::identify::solve::Termination;
 use crate::measure::recording::Kind;
 
 use super::candidate::Candidate;
-use super::evidence::{self, DECIDES, HOPELESS};
+use super::evidence::{DECIDES, HOPELESS};
 use super::fitted::{Fitted, Ground};
 use super::found::{Found, joined};
 use super::free::FreeFunction;
@@ -36,7 +36,7 @@ const MOST_EXCHANGES: usize = 4;
 /// A cause that takes away more than this part of what is left moves everything else: the rest is looked at again only
 /// when all is refitted. Smaller ones are taken in on the linear problem, several between two fits.
 const LARGE: f64 = 0.1;
-/// A constant of a place is changed when the whole fit gains this much by it, on the scale of [`evidence::penalised`].
+/// A constant of a place is changed when the whole fit gains this much by it, on the scale of [`super::evidence::penalised`].
 const BETTER_CONSTANT: f64 = 2.0;
 
 /// Looks for what is missing.
@@ -236,13 +236,9 @@ impl<'a> Found<'a> {
         for (term, candidate) in self.fitted.terms.iter().enumerate() {
             let projection = self.projection(&regressors, Some(term));
             let Some(tuned) = scan::tuned(candidate, &regressors, &projection) else { continue };
-            let now = projection.gain(&scan::columns_through(&regressors, &candidate.instances));
-            let then = projection.gain(&scan::columns_through(&regressors, &tuned.instances));
-            let (evidence_now, evidence_then) = (
-                evidence::of_candidate(candidate, &now, projection.cost, projection.rows),
-                evidence::of_candidate(&tuned, &then, projection.cost, projection.rows),
-            );
-            if evidence_then < evidence_now - BETTER_CONSTANT {
+            let now = scan::evidence_against(candidate, &regressors, &projection);
+            let then = scan::evidence_against(&tuned, &regressors, &projection);
+            if then < now - BETTER_CONSTANT {
                 terms[term] = tuned;
                 changed = true;
             }

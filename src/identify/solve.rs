@@ -103,7 +103,6 @@ pub fn solve(problem: &Problem<'_>, start: State, unknowns: &[Unknown], weights:
     let mut residuals = problem.residuals(&state)?;
     let mut cost = cost_of(&residuals, &whitening, &roots, &state, unknowns);
     let mut damping = 0.0f64;
-    let mut termination = Termination::OutOfSteps;
     let mut slow_steps = 0;
     let mut before: Option<(State, DVector<f64>, f64)> = None;
     for _ in 0..MOST_STEPS {
@@ -142,27 +141,21 @@ pub fn solve(problem: &Problem<'_>, start: State, unknowns: &[Unknown], weights:
                 break None;
             }
         };
-        let small = match accepted {
+        let ended = match accepted {
             Some((next, next_residuals, next_cost, small)) => {
                 let is_slow = cost - next_cost < SLOW * cost / residuals.len().max(1) as f64;
                 slow_steps = if is_slow { slow_steps + 1 } else { 0 };
                 before = Some((state, residuals, cost));
                 (state, residuals, cost) = (next, next_residuals, next_cost);
                 damping = if damping < LEAST_DAMPING { 0.0 } else { damping * 0.1 };
-                if !small && slow_steps == SLOW_STEPS {
-                    termination = Termination::Valley;
+                match small {
+                    true => Some(Termination::Converged),
+                    false => (slow_steps == SLOW_STEPS).then_some(Termination::Valley),
                 }
-                small || slow_steps == SLOW_STEPS
             }
-            None => {
-                termination = Termination::Stalled;
-                true
-            }
+            None => Some(Termination::Stalled),
         };
-        if small {
-            if termination == Termination::OutOfSteps {
-                termination = Termination::Converged;
-            }
+        if let Some(termination) = ended {
             return Ok(finish(state, unknowns, residuals, jacobian, &factor, cost, termination));
         }
     }
@@ -170,7 +163,7 @@ pub fn solve(problem: &Problem<'_>, start: State, unknowns: &[Unknown], weights:
     scale_rows(&mut jacobian, &whitening);
     let (stacked, right) = normal_rows(&jacobian, &residuals, &whitening, &roots, &state, unknowns);
     let factor = Factor::new(stacked, &right);
-    Ok(finish(state, unknowns, residuals, jacobian, &factor, cost, termination))
+    Ok(finish(state, unknowns, residuals, jacobian, &factor, cost, Termination::OutOfSteps))
 }
 
 fn finish(

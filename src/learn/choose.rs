@@ -8,14 +8,12 @@ use crate::identify::state::State;
 use crate::identify::unknown::Unknown;
 
 use super::additive::{Fitted, Regression};
-use super::folds::folds;
+use super::folds::{FOLDS, folds};
 use super::learned::{Kind, Learned, of_network, of_regression, share_of_network, share_of_terms};
 use super::network::{Bag, Course, FEW, MANY, MOST_RECORDS};
 use super::samples::Samples;
 use super::term::{Family, terms};
 
-/// Parts into which the records are dealt.
-const FOLDS: usize = 10;
 /// Records below which nothing is learned: each fold must still show every joint in most of its range.
 const FEWEST: usize = 60;
 

@@ -3,6 +3,8 @@
 use crate::identify::split::regions;
 use crate::measure::observation::Observation;
 
+/// Parts into which the records are dealt.
+pub const FOLDS: usize = 10;
 /// Records in a region, about: enough that a record's neighbours are held out with it, few enough that no joint loses a
 /// part of its range with them.
 const REGION_SIZE: usize = 6;

@@ -47,10 +47,7 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         conditions: &Conditions,
         start: Option<&Response<T>>,
     ) -> Result<ArmState<T>, ArmError> {
-        let mut state = self.unloaded(numbers_rad);
-        if let Some(start) = start {
-            state.response = *start;
-        }
+        let mut state = self.unsettled(numbers_rad, start);
         let stand = self.stand(&state, conditions);
         let mut last = Change { value: f64::INFINITY, slopes: 1.0 };
         for _ in 0..EQUILIBRIUM_ROUNDS {
@@ -77,21 +74,21 @@ impl<T: ModelScalar> PreparedArm<'_, T> {
         conditions: &Conditions,
         assumed: &Response<T>,
     ) -> Result<ArmState<T>, ArmError> {
-        let mut state = ArmState { response: *assumed, ..self.unloaded(numbers_rad) };
+        let mut state = self.unsettled(numbers_rad, Some(assumed));
         let stand = self.stand(&state, conditions);
         self.settle(&stand, &mut state)?;
         self.add_learned_shift(&stand, &mut state);
         Ok(state)
     }
 
-    /// An arm that has its commands and nothing else yet.
-    fn unloaded(&self, numbers_rad: &[T; DOF]) -> ArmState<T> {
+    /// An arm that has its commands and what its effects are assumed to add, and nothing else yet.
+    fn unsettled(&self, numbers_rad: &[T; DOF], assumed: Option<&Response<T>>) -> ArmState<T> {
         ArmState {
             base_t_flange: Pose::identity(),
             chain: Chain::at_rest(),
             angles: RowAngles::none(),
             actuators_rad: actuators_from_numbers(&self.model.robot, numbers_rad),
-            response: Response::none(),
+            response: assumed.copied().unwrap_or_else(Response::none),
             statics: Statics::none(),
         }
     }
