@@ -253,6 +253,7 @@ fn an_error_of_the_trackers_beam_is_none_of_the_arm() {
     let unexplained = found.unexplained.as_ref().expect("structure");
     assert_eq!(unexplained.depends_on(), ["beam_azimuth"]);
     assert!(unexplained.place().starts_with("measurement"), "{}", unexplained.place());
+    assert!(found.learned.is_none(), "an arm is not taught what its tracker does");
 }
 
 #[test]
@@ -264,9 +265,15 @@ fn what_has_no_name_is_located_and_not_named() {
     });
     let found = diagnosed(&recordings, &arm);
     assert_eq!(found.verdict, Verdict::Unexplained, "{:?}", found.findings);
-    let unexplained = found.unexplained.expect("something without a name");
+    let unexplained = found.unexplained.as_ref().expect("something without a name");
     assert_eq!(unexplained.location().joint, Some(5));
     assert_eq!(unexplained.depends_on(), ["q2", "q4"]);
+    // The updated model holds it all the same, and knows what it holds: asked again, it misses nothing.
+    let [before, after] = found.learned.as_ref().expect("learned").held_out_rms_mm;
+    assert!(after < 0.5 * before, "{before} {after}");
+    let model = updated(&found, &recordings).arm;
+    assert!(model.learner.is_some());
+    assert_eq!(diagnosed(&recordings, &model).verdict, Verdict::NothingMissing);
 }
 
 /// An encoder whose error is no line but a band of them: 40 orders from 5 to 33, closer than a joint's range resolves.

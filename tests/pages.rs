@@ -13,8 +13,8 @@ use falsetarget::measure::recording::Recording;
 use falsetarget::model::arm::ArmModel;
 use falsetarget::model::effect::Location;
 use falsetarget::report::diagnosis::{
-    AlternativePart, DiagnosisReport, ErrorPart, EvidencePart, FindingPart, NextPart, ParameterPart, RecordingPart,
-    UnexplainedPart,
+    AlternativePart, DiagnosisReport, ErrorPart, EvidencePart, FindingPart, LearnedPart, NextPart, ParameterPart,
+    RecordingPart, UnexplainedPart,
 };
 use falsetarget::report::html::{self, DiagnosisPage};
 use falsetarget::report::sketch::{Sketch, sketch};
@@ -75,6 +75,7 @@ fn report() -> DiagnosisReport {
             p_value: 1e-9,
             depends_on: vec!["q4".into()],
             location: Location { joint: Some(5), ..Location::default() },
+            learned: Some(LearnedPart { heldout_rms_before_mm: 0.2, heldout_rms_after_mm: 0.1 }),
             statement: "Something at joint 5.".into(),
         }),
         outliers: vec![NASTY.into()],
@@ -117,6 +118,7 @@ fn a_diagnosis_is_a_whole_page() {
     assert!(sentence < page.find("class=\"tile\"").expect("tiles"));
     assert_eq!(page.matches("<svg ").count(), 5);
     assert!(page.contains("J2 (1)") && page.contains("J5 (?)"), "culprits are marked");
+    assert!(page.contains("as learned: held-out RMS 0.200 -&gt; 0.100 mm"));
     assert!(page.contains("friction_windup") && page.contains("more poses") && page.contains("&lt; 1e-100"));
     // Two points that have a place, not the third.
     assert_eq!(page.matches("<title>&lt;/title&gt;").count(), 2 + 2 + 2);

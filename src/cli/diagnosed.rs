@@ -2,7 +2,7 @@
 
 use crate::diagnose::diagnosis::Verdict;
 use crate::identify::station_report::StationReport;
-use crate::report::diagnosis::{DiagnosisReport, FindingPart, probability};
+use crate::report::diagnosis::{DiagnosisReport, FindingPart, LearnedPart, probability};
 
 use super::console::{Console, Tone};
 
@@ -19,9 +19,8 @@ pub fn tell(report: &DiagnosisReport, console: &Console) {
     }
     if let Some(unexplained) = &report.unexplained {
         console.say(&format!("without a name: {}", unexplained.statement));
-        console.say(
-            "the updated model has no part for it: `falsetarget calibrate` learns from this recording what has no name",
-        );
+        let not_learned = || "The updated model has no part for it.".to_string();
+        console.say(&unexplained.learned.as_ref().map_or_else(not_learned, LearnedPart::statement));
     }
     for note in report.stations.iter().filter_map(StationReport::note) {
         console.say(&note);

@@ -8,6 +8,7 @@ use crate::identify::problem::Problem;
 
 use super::hold_out::{Blocks, fall_in_errors, held_out_squares_m2};
 use super::projection::Projection;
+use super::rank::{Cause, Suspect};
 
 /// Shuffles of the records.
 const SHUFFLES: usize = 99;
@@ -16,18 +17,23 @@ const BY_CHANCE: f64 = 0.02;
 /// Standard errors by which held-out residuals must fall.
 const SURE_FALL: f64 = 1.0;
 
-/// True when held-out records improve with `columns`, and when residuals that are shuffled over the records do not follow
-/// them.
+/// True when held-out records improve with a suspect, and when residuals that are shuffled over the records do not follow it.
 pub fn holds(
     problem: &Problem<'_>,
     blocks: &Blocks,
-    columns: &DMatrix<f64>,
+    suspect: &Suspect,
     projection: &Projection,
     random: &mut ChaCha8Rng,
 ) -> bool {
+    let beside = match &suspect.cause {
+        // What bends by load is nearly a function of a joint's own angle, and has a name. One without a name must hold in regions
+        // that it has not seen even where nothing holds it back.
+        Cause::Free(function) if function.is_of_own_position() => projection.with(&suspect.columns),
+        _ => suspect.beside(projection),
+    };
     let without = held_out_squares_m2(problem, blocks, projection);
-    let with = held_out_squares_m2(problem, blocks, &projection.with(columns));
-    fall_in_errors(&without, &with) >= SURE_FALL && shuffled(problem, columns, projection, random) <= BY_CHANCE
+    let with = held_out_squares_m2(problem, blocks, &beside);
+    fall_in_errors(&without, &with) >= SURE_FALL && shuffled(problem, &suspect.columns, projection, random) <= BY_CHANCE
 }
 
 /// Part of the shuffles of residuals over records that explain as much (Freedman and Lane 1983).

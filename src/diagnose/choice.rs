@@ -109,7 +109,7 @@ impl<'a> Found<'a> {
 
     /// True for a suspect that held-out records and a shuffle bear out.
     fn stands_up(&self, suspect: &Suspect, projection: &Projection, random: &mut ChaCha8Rng) -> bool {
-        holds(&self.fitted.estimate.problem, &self.blocks, &suspect.columns, projection, random)
+        holds(&self.fitted.estimate.problem, &self.blocks, suspect, projection, random)
     }
 
     /// Squares, whitened, that a further cause must explain to be one.

@@ -22,6 +22,7 @@ use super::found::Found;
 use super::free::{FreeFunction, Seat};
 use super::hold_out::{Blocks, held_out_squares_m2, rms_mm};
 use super::left_over::left_over;
+use super::nameless::{Nameless, nameless};
 use super::regressors::Regressors;
 use super::ripple::{JointRipple, with_curves};
 use super::search::search_from;
@@ -112,7 +113,7 @@ pub struct Diagnosis<'a> {
     pub records: usize,
     /// Standard deviation of the noise per axis, m.
     pub noise_sigma_m: f64,
-    /// What stays beside it, m.
+    /// What the updated model leaves beside it, m.
     pub unexplained_sigma_m: f64,
     /// The model as given, refitted.
     pub before: Errors,
@@ -130,6 +131,8 @@ pub struct Diagnosis<'a> {
     pub next_measurements: Vec<Advice>,
     /// The fit with the findings.
     pub estimate: Estimate<'a>,
+    /// What has no name, learned, where that helps.
+    pub learned: Option<Nameless<'a>>,
 }
 
 /// Residuals of all records over those of the ones that agreed, up to which all of them agree.
@@ -172,11 +175,15 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
         (true, Some(_)) => Verdict::Unexplained,
     };
     let left = left_over(&found, &base)?;
+    let learned = nameless(&found, seed)?;
     let mut diagnosis = Diagnosis {
         kind,
         records: recordings.iter().map(|recording| recording.observations.len()).sum(),
         noise_sigma_m: left.noise_sigma_m,
-        unexplained_sigma_m: left.structure_sigma_m,
+        unexplained_sigma_m: match &learned {
+            Some(learned) => left.beyond_noise_m(&learned.estimate.spread),
+            None => left.structure_sigma_m,
+        },
         before,
         after,
         verdict,
@@ -185,6 +192,7 @@ pub fn diagnose<'a>(given: &ArmModel, recordings: &'a [Recording], seed: u64) ->
         outliers,
         next_measurements: Vec::new(),
         estimate: found.fitted.estimate,
+        learned,
     };
     diagnosis.next_measurements = next_measurements(&diagnosis)?;
     Ok(diagnosis)
@@ -312,9 +320,9 @@ fn curves(found: &Found<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
         Finding {
             instance: EffectInstance {
                 effect,
-                location: Location { order: Some(one.line.order), ..Location::at_joint(one.joint) },
+                location: Location { order: Some(one.spectrum.line.order), ..Location::at_joint(one.joint) },
             },
-            values: vec![value("amplitude", one.line.amplitude_rad), value("rms_of_all_orders", one.rms_rad)],
+            values: vec![value("amplitude", one.spectrum.line.amplitude_rad), value("rms_of_all_orders", one.rms_rad)],
             held_out_rms_mm: [rms_mm(&squares), held_out_rms_mm],
             p_value: evidence::p_value_of_evidence(evidence),
             stability: None,
@@ -352,7 +360,7 @@ fn unexplained(found: &Found<'_>) -> Result<Option<Unexplained>, NoPose> {
         let looked_at = evidence::looked_at(super::free::free_functions(&regressors).len() as f64);
         let p_value = evidence::p_value(gain.explained, gain.rank, left.cost, freedom, looked_at);
         parts.push((gain.explained, p_value, function.clone()));
-        left = left.with(&columns);
+        left = left.with_smooth(&columns);
     }
     cost -= left.cost;
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));

@@ -38,7 +38,7 @@ impl<'a> Found<'a> {
     /// What is left beyond everything found, but for one named cause.
     pub fn projection(&self, regressors: &Regressors<'_, '_>, without: Option<usize>) -> Projection {
         let projection = self.fitted.projection(without);
-        self.free.iter().fold(projection, |projection, free| projection.with(&free.columns(regressors)))
+        self.free.iter().fold(projection, |projection, free| projection.with_smooth(&free.columns(regressors)))
     }
 
     /// The causes by name and place, in no order: constants of places count by their whole numbers.
@@ -137,7 +137,7 @@ impl<'a> Found<'a> {
         for function in &self.free {
             let columns = function.columns(&regressors);
             total += projection.smooth_gain(&columns, looked_at).1;
-            projection = projection.with(&columns);
+            projection = projection.with_smooth(&columns);
         }
         Ok(total)
     }

@@ -112,6 +112,14 @@ impl FreeFunction {
         matches!((self.seat, &self.variables[..]), (Seat::Joint(joint), &[Variable::Position(own)]) if own == joint)
     }
 
+    /// The joint that it turns, from zero.
+    pub fn joint(&self) -> Option<usize> {
+        match self.seat {
+            Seat::Joint(joint) => Some(joint),
+            Seat::Base | Seat::Tool | Seat::Tracker(_) => None,
+        }
+    }
+
     /// True when a named effect at this place is by its definition a function of this kind: only the law is another, and laws
     /// are never exact.
     pub fn is_what_means(&self, id: &str, at: &Location) -> bool {

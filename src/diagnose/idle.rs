@@ -41,8 +41,9 @@ impl<'a> Found<'a> {
         let mut index = 0;
         while index < self.free.len() {
             let others = self.free.iter().enumerate().filter(|(other, _)| *other != index);
-            let projection = others
-                .fold(self.fitted.projection(None), |projection, (_, free)| projection.with(&free.columns(regressors)));
+            let projection = others.fold(self.fitted.projection(None), |projection, (_, free)| {
+                projection.with_smooth(&free.columns(regressors))
+            });
             let (gain, evidence) = projection.smooth_gain(&self.free[index].columns(regressors), looked_at);
             let named = self.named_at(&self.free[index]);
             if evidence >= 0.0 || gain.explained <= CLEARLY_MORE * named {

@@ -2,7 +2,7 @@
 
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use crate::identify::estimate::root_mean_square;
+use crate::identify::estimate::{Spread, root_mean_square};
 use crate::identify::problem::NoPose;
 use crate::measure::observation::Observation;
 use crate::measure::repeats::repeatability;
@@ -16,8 +16,24 @@ use super::regressors::Regressors;
 pub struct LeftOver {
     /// Scatter without structure.
     pub noise_sigma_m: f64,
+    /// Degrees of freedom that it was told from.
+    noise_freedom: f64,
     /// What depends on pose, approach or time and has no name.
     pub structure_sigma_m: f64,
+}
+
+impl LeftOver {
+    /// What a fit leaves beyond the noise, m; zero where that may be chance.
+    pub fn beyond_noise_m(&self, spread: &Spread) -> f64 {
+        let ratio = (spread.sigma_m / self.noise_sigma_m.max(f64::MIN_POSITIVE)).powi(2);
+        let fisher = FisherSnedecor::new(spread.freedom.max(1.0), self.noise_freedom);
+        let limit = fisher.map_or(1.0, |fisher| fisher.inverse_cdf(1.0 - FALSE_ALARM));
+        if ratio > limit { self.excess_m(spread) } else { 0.0 }
+    }
+
+    fn excess_m(&self, spread: &Spread) -> f64 {
+        (spread.sigma_m.powi(2) - self.noise_sigma_m.powi(2)).max(0.0).sqrt()
+    }
 }
 
 /// Degrees of freedom that repeats need to be asked.
@@ -42,13 +58,9 @@ pub fn left_over(found: &Found<'_>, base: &Baseline<'_>) -> Result<LeftOver, NoP
     } else {
         (without_structure_m(found)?, 1e6)
     };
-    let excess = spread.sigma_m.powi(2) - noise_sigma_m.powi(2);
-    let ratio = (spread.sigma_m / noise_sigma_m.max(f64::MIN_POSITIVE)).powi(2);
-    let limit =
-        FisherSnedecor::new(spread.freedom.max(1.0), noise_freedom).map_or(1.0, |f| f.inverse_cdf(1.0 - FALSE_ALARM));
-    let has_structure = !found.free.is_empty() || ratio > limit;
-    let structure_sigma_m = if has_structure { excess.max(0.0).sqrt() } else { 0.0 };
-    Ok(LeftOver { noise_sigma_m, structure_sigma_m })
+    let left = LeftOver { noise_sigma_m, noise_freedom, structure_sigma_m: 0.0 };
+    let structure_sigma_m = if found.free.is_empty() { left.beyond_noise_m(&spread) } else { left.excess_m(&spread) };
+    Ok(LeftOver { structure_sigma_m, ..left })
 }
 
 fn without_structure_m(found: &Found<'_>) -> Result<f64, NoPose> {
@@ -57,10 +69,6 @@ fn without_structure_m(found: &Found<'_>) -> Result<f64, NoPose> {
         return Ok(estimate.spread.sigma_m);
     }
     let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
-    let without = found.fitted.projection(None);
-    let with = found.projection(&regressors, None);
-    let taken = (with.free - without.free) as f64;
-    let freedom = estimate.spread.freedom;
-    let ratio = (with.cost / without.cost) * freedom / (freedom - taken).max(1.0);
-    Ok(estimate.spread.sigma_m * ratio.sqrt())
+    let (without, with) = (found.fitted.projection(None), found.projection(&regressors, None));
+    Ok(estimate.spread.sigma_m * (with.cost / without.cost).sqrt())
 }

@@ -16,6 +16,7 @@ pub mod free;
 pub mod hold_out;
 pub mod idle;
 pub mod left_over;
+pub mod nameless;
 pub mod projection;
 pub mod rank;
 pub mod regressors;

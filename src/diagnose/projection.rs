@@ -35,6 +35,29 @@ impl Probe {
     }
 }
 
+/// A smooth function at its likeliest size.
+struct Smooth {
+    /// Directions of its columns, orthogonal beyond what is free.
+    vectors: DMatrix<f64>,
+    /// Those of them that the records show.
+    directions: Vec<Direction>,
+    /// Prior variance of its columns' weights.
+    size: f64,
+    /// Reduction of the sum of squares at that size.
+    explained: f64,
+    /// Evidence against it, before the price of what was looked at.
+    evidence: f64,
+}
+
+struct Direction {
+    /// Which of the vectors.
+    index: usize,
+    /// Its square of length beyond what is free.
+    own: f64,
+    /// Its product with the residuals.
+    part: f64,
+}
+
 /// What a candidate explains.
 #[derive(Clone, Debug)]
 pub struct Gain {
@@ -200,33 +223,71 @@ impl Projection {
     ///
     /// Its price is the dimensions that the records really show, `sum ln(1 + a l_i)`, not all that it could have.
     pub fn smooth_gain(&self, columns: &DMatrix<f64>, looked_at: f64) -> (Gain, f64) {
+        let smooth = self.smooth(columns);
+        let nothing = DVector::zeros(0);
+        let rank = smooth.directions.len();
+        let gain = Gain { explained: smooth.explained, rank, values: nothing.clone(), sigmas: nothing };
+        (gain, smooth.evidence + (self.rows as f64).ln() + 2.0 * looked_at.ln())
+    }
+
+    /// The same with a smooth function free beside all else, held back by the size that [`Projection::smooth_gain`] finds for it:
+    /// what a region that is held out has of it is what the others make believable, not where a polynomial runs away to.
+    ///
+    /// No free numbers are counted for it: what its weights cost at their likeliest size stays in [`Projection::cost`], and that is
+    /// in the mean as much as they take of the noise (MacKay 1992).
+    #[must_use]
+    pub fn with_smooth(&self, columns: &DMatrix<f64>) -> Self {
+        let Smooth { vectors, directions, size, .. } = self.smooth(columns);
+        let beyond = columns - &self.basis * (&self.transposed * columns);
+        let mut basis = self.basis.clone();
+        let mut residuals = self.residuals.clone();
+        let mut cost = self.cost;
+        // Orthonormal in the rows of records and priors together, of which only the upper ones are kept.
+        for direction in &directions {
+            let scale = (size / (1.0 + size * direction.own)).sqrt();
+            let fresh = &beyond * vectors.column(direction.index) * scale;
+            let along = direction.part * scale;
+            residuals -= &fresh * along;
+            cost -= along * along;
+            let count = basis.ncols();
+            basis = basis.insert_column(count, 0.0);
+            basis.set_column(count, &fresh);
+        }
+        Self { transposed: basis.transpose(), basis, residuals, cost, rows: self.rows, free: self.free }
+    }
+
+    /// The size of a smooth function with the strongest evidence.
+    fn smooth(&self, columns: &DMatrix<f64>) -> Smooth {
         let gram = self.own_gram(columns);
         let slope = columns.tr_mul(&self.residuals);
         let largest = columns.column_iter().map(|column| column.norm_squared()).fold(0.0, f64::max);
         let eigen = nalgebra::SymmetricEigen::new(gram);
         let parts = eigen.eigenvectors.tr_mul(&slope);
-        let own: Vec<(f64, f64)> = eigen
-            .eigenvalues
-            .iter()
-            .zip(parts.iter())
-            .filter(|(own, _)| **own > OWN_PART * OWN_PART * largest)
-            .map(|(&own, part)| (own, part * part / own))
+        let directions: Vec<Direction> = (0..parts.len())
+            .map(|index| Direction { index, own: eigen.eigenvalues[index], part: parts[index] })
+            .filter(|direction| direction.own > OWN_PART * OWN_PART * largest)
             .collect();
         let rows = self.rows as f64;
-        let strongest = own.iter().map(|(own, _)| *own).fold(0.0, f64::max);
-        let mut best = (0.0, f64::INFINITY);
+        let strongest = directions.iter().map(|direction| direction.own).fold(0.0, f64::max);
+        let mut best = Smooth {
+            vectors: eigen.eigenvectors,
+            directions: Vec::new(),
+            size: 0.0,
+            explained: 0.0,
+            evidence: f64::INFINITY,
+        };
         for step in 0..SIZES {
             let size = 0.1 * 10f64.powf(0.5 * step as f64) / strongest.max(f64::MIN_POSITIVE);
-            let explained: f64 = own.iter().map(|(own, square)| square * size * own / (1.0 + size * own)).sum();
-            let price: f64 = own.iter().map(|(own, _)| (size * own).ln_1p()).sum();
+            let explained: f64 = directions.iter().map(|one| one.part * one.part * size / (1.0 + size * one.own)).sum();
+            let price: f64 = directions.iter().map(|one| (size * one.own).ln_1p()).sum();
             let left = (1.0 - explained / self.cost).max(1e-12);
-            let evidence = rows * left.ln() + price + rows.ln() + 2.0 * looked_at.ln();
-            if evidence < best.1 {
-                best = (explained, evidence);
+            let evidence = rows * left.ln() + price;
+            if evidence < best.evidence {
+                (best.size, best.explained, best.evidence) = (size, explained, evidence);
             }
         }
-        let nothing = DVector::zeros(0);
-        (Gain { explained: best.0, rank: own.len(), values: nothing.clone(), sigmas: nothing }, best.1)
+        best.directions = directions;
+        best
     }
 
     /// Residuals of other data after all that is free is projected out (what priors hold back left aside).
@@ -299,6 +360,28 @@ mod tests {
         let projection = Projection::new(&free, &[2.0; 5], &y, &[0.0; 5]);
         for held in [(12..24).collect::<Vec<usize>>(), vec![3, 40]] {
             held_out_agrees(&free, &y, &projection, &held);
+        }
+    }
+
+    #[test]
+    fn a_smooth_function_is_held_out_as_ridge_regression_has_it() {
+        let (free, columns) = (sample(60, 5, 0.0), sample(60, 4, 0.1));
+        let y = DVector::from_fn(60, |i, _| 0.1 * (i as f64 * 1.7).cos() + 0.8 * columns[(i, 0)]);
+        let projection = Projection::new(&free, &[2.0; 5], &y, &[0.0; 5]);
+        let size = projection.smooth(&columns).size;
+        // The same as one more free thing with a prior of that size.
+        let mut all = free.resize_horizontally(9, 0.0);
+        all.columns_mut(5, 4).copy_from(&columns);
+        let sigmas: Vec<f64> = (0..9).map(|column| if column < 5 { 2.0 } else { size.sqrt() }).collect();
+        let whole = Projection::new(&all, &sigmas, &y, &[0.0; 9]);
+        let smooth = projection.with_smooth(&columns);
+        let gain = projection.smooth_gain(&columns, 1.0).0;
+        assert!(
+            (smooth.cost - whole.cost).abs() < 1e-9 && (projection.cost - gain.explained - whole.cost).abs() < 1e-9
+        );
+        assert!((&smooth.residuals - &whole.residuals).norm() < 1e-9);
+        for held in [(12..24).collect::<Vec<usize>>(), vec![3, 40]] {
+            assert!((smooth.held_out(&held) - whole.held_out(&held)).norm() < 1e-9);
         }
     }
 

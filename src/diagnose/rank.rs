@@ -117,6 +117,15 @@ impl Suspect {
         evidence::penalised(gain.explained, projection.cost, projection.rows, gain.rank + chosen, self.looked_at)
     }
 
+    /// A projection with it free beside all else.
+    #[must_use]
+    pub fn beside(&self, projection: &Projection) -> Projection {
+        match &self.cause {
+            Cause::Named(_) => projection.with(&self.columns),
+            Cause::Free(_) => projection.with_smooth(&self.columns),
+        }
+    }
+
     /// The named cause.
     pub fn candidate(&self) -> Option<&Candidate> {
         match &self.cause {

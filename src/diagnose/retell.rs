@@ -102,7 +102,7 @@ fn evidence_of(causes: &[Suspect], projection: &Projection) -> f64 {
     let mut total = 0.0;
     for cause in causes {
         total += cause.evidence(&projection.gain(&cause.columns), &projection);
-        projection = projection.with(&cause.columns);
+        projection = cause.beside(&projection);
     }
     total
 }
@@ -139,9 +139,9 @@ fn all_hold(other: &Found<'_>, before: &Found<'_>, random: &mut ChaCha8Rng) -> R
             continue;
         }
         let projection = other.projection(&regressors, Some(term));
-        let columns = fitted.columns_of(term);
-        let is_large = projection.gain(&columns).explained > other.least(&projection);
-        if !is_large || !holds(&fitted.estimate.problem, &other.blocks, &columns, &projection, random) {
+        let suspect = Suspect::named(candidate.clone(), fitted.columns_of(term));
+        let is_large = projection.gain(&suspect.columns).explained > other.least(&projection);
+        if !is_large || !holds(&fitted.estimate.problem, &other.blocks, &suspect, &projection, random) {
             return Ok(false);
         }
     }

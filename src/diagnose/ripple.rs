@@ -24,13 +24,19 @@ use crate::measure::recording::Kind;
 use super::evidence::{self, DECIDES, SMALLEST_PART};
 use super::fitted::{Fitted, Ground};
 use super::found::Found;
+use super::free::FreeFunction;
 use super::hold_out::{Blocks, fall_in_errors, held_out_squares_m2};
 use super::projection::Projection;
+use super::regressors::Regressors;
 use super::search::search_in;
-use super::spectrum::{Line, strongest_line};
+use super::spectrum::{Spectrum, spectrum};
 
 /// Lines of one joint that make it worth asking for a curve.
 const FEWEST_LINES: usize = 2;
+/// Times that a curve's strongest line must repeat over the measured range to be called periodic ...
+const FEWEST_REPEATS: f64 = 3.0;
+/// ... and part of its squares that may be in one eighth of the range.
+const MOST_IN_ONE_PLACE: f64 = 0.5;
 /// Orders up to here have names of their own (eccentricity, ovality): they ask for no curve.
 const LOW_ORDER: f64 = 3.5;
 /// Standard errors by which held-out records must be nearer to curves than to a list of lines.
@@ -54,8 +60,8 @@ pub struct JointRipple {
     pub joint: usize,
     /// Root mean square of the curve over the records, rad, with its standard uncertainty.
     pub rms_rad: [f64; 2],
-    /// Its strongest line.
-    pub line: Line,
+    /// Its strongest line, and whether it is everywhere.
+    pub spectrum: Spectrum,
     /// Movement of each coordinate by a unit of each wave, m/rad.
     columns_m: DMatrix<f64>,
     /// Prior of each wave's weight, rad.
@@ -94,6 +100,11 @@ impl Ripple {
 }
 
 impl JointRipple {
+    /// True where the curve is seen to repeat and is not at one place, as a damaged tooth is.
+    fn is_periodic(&self) -> bool {
+        self.spectrum.repeats >= FEWEST_REPEATS && self.spectrum.in_one_place < MOST_IN_ONE_PLACE
+    }
+
     fn whitened(&self, whitening: &DVector<f64>) -> DMatrix<f64> {
         let mut columns = self.columns_m.clone();
         for mut column in columns.column_iter_mut() {
@@ -127,27 +138,38 @@ pub fn with_curves<'a>(
     kind: Kind,
     seed: u64,
 ) -> Result<Option<Found<'a>>, NoPose> {
-    if !shows_many_lines(lines) {
+    let asked = joints_in_question(lines);
+    if asked.is_empty() {
         return Ok(None);
     }
     let searched = ground.thinned(super::search::MOST_SEARCHED);
     let part = searched.as_ref().unwrap_or(ground);
-    let all: Vec<usize> = (0..crate::model::robot::DOF).collect();
-    let Some(first) = curved(part, &all)? else { return Ok(None) };
-    let joints = telling_joints(&first.fit(&[])?);
+    let Some(first) = curved(part, &asked)? else { return Ok(None) };
+    let mut telling = telling(&first.fit(&[])?);
+    // A curve in the place of a nameless function of the same angle must be seen to be periodic.
+    let says_the_same = !shows_many_lines(lines) && are_of_own_position(&lines.free);
+    if says_the_same {
+        telling.retain(JointRipple::is_periodic);
+    }
+    let joints: Vec<usize> = telling.iter().map(|one| one.joint).collect();
     if joints.is_empty() {
         return Ok(None);
     }
     let Some(curved_part) = curved(part, &joints)? else { return Ok(None) };
     let mut found = search_in(&curved_part, curved_part.fit(&[])?, kind, seed)?;
     let plain = match &searched {
-        None => lines.fitted.clone(),
-        Some(part) => part.refit(&lines.fitted, &lines.fitted.terms, &[])?,
+        None => lines.clone(),
+        Some(part) => Found { fitted: part.refit(&lines.fitted, &lines.fitted.terms, &[])?, ..lines.clone() },
     };
-    let blocks = Blocks::for_curves(&plain.estimate.problem, kind, seed);
-    let squares =
-        |fitted: &Fitted<'_>| held_out_squares_m2(&fitted.estimate.problem, &blocks, &fitted.projection(None));
-    if fall_in_errors(&squares(&plain), &squares(&found.fitted)) < SURELY_NEARER {
+    let blocks = Blocks::for_curves(&plain.fitted.estimate.problem, kind, seed);
+    let squares = |found: &Found<'_>| -> Result<Vec<f64>, NoPose> {
+        let estimate = &found.fitted.estimate;
+        let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
+        Ok(held_out_squares_m2(&estimate.problem, &blocks, &found.projection(&regressors, None)))
+    };
+    // It says the same, and has a name: then it need only be as near.
+    let least = if says_the_same { -SURELY_NEARER } else { SURELY_NEARER };
+    if fall_in_errors(&squares(&plain)?, &squares(&found)?) < least {
         return Ok(None);
     }
     // Curves and causes were found in turn: now together, on all records.
@@ -171,14 +193,27 @@ fn shows_many_lines(found: &Found<'_>) -> bool {
     (0..crate::model::robot::DOF).any(|joint| fine(joint) >= FEWEST_LINES)
 }
 
-/// The joints whose curve is believed beside all others.
-fn telling_joints(fitted: &Fitted<'_>) -> Vec<usize> {
+/// The joints that may have a curve: those with a function of their own angle that has no name; all where one shows many
+/// lines, or where some other function without a name may stand for the curves of several.
+fn joints_in_question(found: &Found<'_>) -> Vec<usize> {
+    if shows_many_lines(found) || !are_of_own_position(&found.free) {
+        return (0..crate::model::robot::DOF).collect();
+    }
+    found.free.iter().filter_map(FreeFunction::joint).collect()
+}
+
+fn are_of_own_position(free: &[FreeFunction]) -> bool {
+    free.iter().all(FreeFunction::is_of_own_position)
+}
+
+/// The curves that are believed beside all others.
+fn telling(fitted: &Fitted<'_>) -> Vec<JointRipple> {
     let Some(ripple) = &fitted.ripple else { return Vec::new() };
     let believed = |one: &&JointRipple| {
         let (explained, evidence, projection) = one.gain(fitted);
         evidence < -DECIDES && explained > SMALLEST_PART * projection.cost
     };
-    ripple.joints.iter().filter(believed).map(|one| one.joint).collect()
+    ripple.joints.iter().filter(believed).cloned().collect()
 }
 
 /// A ground whose state holds curves of these joints.
@@ -266,7 +301,7 @@ fn ripple(regression: &Regression<'_>, fitted: &Regressed, whitening: &DVector<f
         JointRipple {
             joint: term.turns,
             rms_rad: size_over_records(term, &at, &weights, &root),
-            line: strongest_line(term, &at, &weights, &root),
+            spectrum: spectrum(term, &at, &weights, &root),
             columns_m,
             sigmas: sigmas[span].to_vec(),
             weights,

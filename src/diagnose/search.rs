@@ -191,6 +191,7 @@ impl<'a> Found<'a> {
             else {
                 break;
             };
+            projection = suspect.beside(&projection);
             match suspect.cause {
                 Cause::Free(function) => self.free.push(function),
                 Cause::Named(candidate) => {
@@ -199,7 +200,6 @@ impl<'a> Found<'a> {
                 }
             }
             grown = true;
-            projection = projection.with(&suspect.columns);
             if part > LARGE {
                 break;
             }

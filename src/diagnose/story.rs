@@ -62,7 +62,7 @@ pub fn told_from(
     projection: &Projection,
     (most, least): (usize, &dyn Fn(&Projection) -> f64),
 ) -> Story {
-    let mut projection = projection.with(&first.suspect.columns);
+    let mut projection = first.suspect.beside(projection);
     let mut story = Story { evidence: first.evidence, causes: vec![first.suspect.clone()] };
     while story.causes.len() < most {
         let fine = regressors.map_or_else(Vec::new, |regressors| searched(regressors, &projection));
@@ -78,7 +78,7 @@ pub fn told_from(
         };
         let Some(best) = ranked.iter().find(sound) else { break };
         story.evidence += best.evidence;
-        projection = projection.with(&best.suspect.columns);
+        projection = best.suspect.beside(&projection);
         story.causes.push(best.suspect.clone());
     }
     story

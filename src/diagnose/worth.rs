@@ -8,6 +8,7 @@ use crate::identify::estimate::Estimate;
 use crate::identify::problem::NoPose;
 use crate::learn::choose::{Candidate, Rivals, learn};
 use crate::learn::learned::Learned;
+use crate::learn::subject::Subject;
 
 use super::evidence::looked_at;
 use super::fitted::{Fitted, Ground};
@@ -20,7 +21,8 @@ pub fn names_are_worth_having(ground: &Ground<'_>, found: &Fitted<'_>, seed: u64
     let unnamed = ground.fit(&[])?.estimate;
     // Curves are what could have told the same; a network would take longer and tell less.
     let learned = |estimate: &Estimate<'_>| {
-        learn(&estimate.problem, &estimate.fit.state, &estimate.fit.unknowns, Rivals::Curves, seed)
+        let own = (&estimate.fit.state, &estimate.fit.unknowns[..]);
+        learn(&estimate.problem, own, &Subject::Everything, Rivals::Curves, seed)
     };
     let (unnamed, named) = (learned(&unnamed)?, learned(&found.estimate)?);
     let (Some(unnamed), Some(named)) = (chosen(&unnamed), chosen(&named)) else { return Ok(true) };

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use crate::identify::calibrate::{Outcome, StageState};
-use crate::identify::estimate::{estimate, root_mean_square};
+use crate::identify::estimate::{Estimate, estimate, root_mean_square};
 use crate::identify::problem::{NoPose, Problem};
 use crate::identify::state::State;
 
@@ -12,6 +12,7 @@ use super::choose::{Rivals, learn, learn_again};
 use super::learned::Learned;
 use super::paper::train;
 use super::samples::Samples;
+use super::subject::Subject;
 
 /// Name of the stage.
 pub const STAGE: &str = "learner";
@@ -25,12 +26,13 @@ pub fn add(outcome: &mut Outcome<'_>, seed: u64) -> Result<Learned, NoPose> {
     let records = outcome.to_learn_from();
     let identified = outcome.last_state().clone();
     let problem = outcome.problem.subset(&records);
-    let mut learned = learn(&problem, &identified, &unknowns, Rivals::All, seed)?;
+    let mut learned = learn(&problem, (&identified, &unknowns), &Subject::Everything, Rivals::All, seed)?;
     let Some(state) = learned.state.clone() else { return Ok(learned) };
     outcome.stages.push(StageState { name: STAGE, free: unknowns.len(), trained: true, state });
     if outcome.fitted != records {
         let problem = outcome.problem.subset(&outcome.fitted);
-        learned = learn_again(&problem, &outcome.delivered.fit.state, &unknowns, learned, seed)?;
+        let identified = (&outcome.delivered.fit.state, &unknowns[..]);
+        learned = learn_again(&problem, identified, &Subject::Everything, learned, seed)?;
     }
     deliver(outcome, &learned)?;
     Ok(learned)
@@ -60,28 +62,39 @@ pub fn add_paper_network(outcome: &mut Outcome<'_>, seed: u64) -> Result<(), NoP
 
 /// Puts the learner into the delivered estimate.
 fn deliver(outcome: &mut Outcome<'_>, learned: &Learned) -> Result<(), NoPose> {
-    let Some(mut state) = learned.state.clone() else { return Ok(()) };
-    let mut problem = outcome.problem.subset(&outcome.fitted);
-    // The regression's own variance, which believes that it has all the functions that there are, is the least; what held-out
-    // regions are missed by, whose records have less company than a fresh pose would, is the most. The mean of the two.
-    let error_m2 = learned.error_m2 * 0.5 * (1.0 + learned.held_out_ratio);
-    calibrate_uncertainty(&problem, &mut state, error_m2)?;
-    let unknowns = outcome.delivered.fit.unknowns.clone();
-    // The records leave less now, and what they leave is less than the noise by what the learner took of it.
-    for record in &mut problem.records {
-        record.sigma_m *= learned.noise_scale;
-    }
-    let sigma_m = root_mean_square(problem.records.iter().map(|record| record.sigma_m));
-    let before = outcome.delivered.scale;
-    let mut delivered = estimate(problem, state, &unknowns, true)?;
-    delivered.scale *= before * learned.noise_scale;
-    delivered.spread.sigma_m = sigma_m;
-    delivered.spread.freedom = learned.freedom.max(1.0);
+    let problem = outcome.problem.subset(&outcome.fitted);
+    let Some(delivered) = with_learner(problem, &outcome.delivered, learned)? else { return Ok(()) };
     for record in &mut outcome.problem.records {
         record.sigma_m *= learned.noise_scale;
     }
     outcome.delivered = delivered;
     Ok(())
+}
+
+/// An estimate with what was learned beside it, and how sure that is; `None` where nothing was.
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn with_learner<'a>(
+    mut problem: Problem<'a>,
+    before: &Estimate<'_>,
+    learned: &Learned,
+) -> Result<Option<Estimate<'a>>, NoPose> {
+    let Some(mut state) = learned.state.clone() else { return Ok(None) };
+    // The regression's own variance, which believes that it has all the functions that there are, is the least; what held-out
+    // regions are missed by, whose records have less company than a fresh pose would, is the most. The mean of the two.
+    let error_m2 = learned.error_m2 * 0.5 * (1.0 + learned.held_out_ratio);
+    calibrate_uncertainty(&problem, &mut state, error_m2)?;
+    // The records leave less now, and what they leave is less than the noise by what the learner took of it.
+    for record in &mut problem.records {
+        record.sigma_m *= learned.noise_scale;
+    }
+    let sigma_m = root_mean_square(problem.records.iter().map(|record| record.sigma_m));
+    let mut delivered = estimate(problem, state, &before.fit.unknowns, true)?;
+    delivered.scale *= before.scale * learned.noise_scale;
+    delivered.spread.sigma_m = sigma_m;
+    delivered.spread.freedom = learned.freedom.max(1.0);
+    Ok(Some(delivered))
 }
 
 /// Scales the uncertainty of the learner so that, over the records, it adds up to the mean square error that they are expected

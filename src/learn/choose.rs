@@ -12,7 +12,8 @@ use super::folds::{FOLDS, folds};
 use super::learned::{Kind, Learned, of_network, of_regression, share_of_network, share_of_terms};
 use super::network::{Bag, Course, FEW, MANY, MOST_RECORDS};
 use super::samples::Samples;
-use super::term::{Family, terms};
+use super::subject::Subject;
+use super::term::{Family, Term, terms};
 
 /// Records below which nothing is learned: each fold must still show every joint in most of its range.
 const FEWEST: usize = 60;
@@ -69,13 +70,14 @@ enum Tried<'a> {
 /// # Arguments
 /// * `state` - as identified, without a learner
 /// * `unknowns` - what was free there
+/// * `subject` - what a learner may look at
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
 pub fn learn(
     problem: &Problem<'_>,
-    state: &State,
-    unknowns: &[Unknown],
+    (state, unknowns): (&State, &[Unknown]),
+    subject: &Subject,
     rivals: Rivals,
     seed: u64,
 ) -> Result<Learned, NoPose> {
@@ -85,8 +87,8 @@ pub fn learn(
     let enough = samples.count() >= FEWEST;
     let mut tried: Vec<(Candidate, Tried<'_>)> = Vec::new();
     for family in std::iter::once(None).chain(Family::ALL.into_iter().map(Some)) {
-        let terms = family.filter(|_| enough).map_or_else(Vec::new, |family| terms(&samples, family));
-        if family.is_some() && terms.is_empty() {
+        let terms = family.filter(|_| enough).map_or_else(Vec::new, |family| admitted(&samples, family, subject));
+        if family.is_some() && (terms.is_empty() || was_tried(&terms, &tried)) {
             continue;
         }
         let regression = Regression::new(&samples, state, unknowns, terms, &fold_of);
@@ -98,7 +100,7 @@ pub fn learn(
         tried.push((candidate, Tried::Additive(family, Box::new(regression), Box::new(fitted))));
     }
     if rivals == Rivals::All && enough && samples.count() <= MOST_RECORDS {
-        let course = Course::new(&samples, state, unknowns, seed);
+        let course = Course::new(&samples, subject, state, unknowns, seed);
         if let Some(bag) = course.train(FEW)
             && let Some(left) = course.held_out(&bag, &fold_of)
         {
@@ -143,8 +145,8 @@ pub fn learn(
 /// [`NoPose`] when the model cannot place a record.
 pub fn learn_again(
     problem: &Problem<'_>,
-    state: &State,
-    unknowns: &[Unknown],
+    (state, unknowns): (&State, &[Unknown]),
+    subject: &Subject,
     before: Learned,
     seed: u64,
 ) -> Result<Learned, NoPose> {
@@ -155,12 +157,12 @@ pub fn learn_again(
         Some(Kind::Additive(family)) => {
             // Nothing is held out: the parts are there to be summed up side by side.
             let parts: Vec<usize> = (0..samples.count()).map(|record| record % FOLDS).collect();
-            let regression = Regression::new(&samples, state, unknowns, terms(&samples, family), &parts);
+            let regression = Regression::new(&samples, state, unknowns, admitted(&samples, family, subject), &parts);
             let fitted = regression.fit();
             fitted.map(|fitted| of_regression(family, &regression, &fitted, (state, unknowns), &sigmas_m))
         }
         Some(Kind::Network) => {
-            let course = Course::new(&samples, state, unknowns, seed);
+            let course = Course::new(&samples, subject, state, unknowns, seed);
             let bag = course.train(MANY);
             bag.and_then(|bag| of_network(&course, &bag, &samples, (state, unknowns), &sigmas_m))
         }
@@ -169,6 +171,18 @@ pub fn learn_again(
     (learned.candidates, learned.chosen) = (before.candidates, before.chosen);
     learned.held_out_ratio = before.held_out_ratio;
     Ok(learned)
+}
+
+/// The terms of a family that a learner may have.
+fn admitted(samples: &Samples<'_>, family: Family, subject: &Subject) -> Vec<Term> {
+    let mut all = terms(samples, family);
+    all.retain(|term| subject.admits(term));
+    all
+}
+
+/// True for terms that a simpler family had too: of few joints and variables the families are often the same.
+fn was_tried(terms: &[Term], tried: &[(Candidate, Tried<'_>)]) -> bool {
+    tried.iter().any(|(_, tried)| matches!(tried, Tried::Additive(_, regression, _) if regression.terms == terms))
 }
 
 impl Candidate {

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::diagnose::diagnosis::{Diagnosis, Errors, Finding, Verdict};
+use crate::diagnose::nameless::Nameless;
 use crate::diagnose::statement::{headline, of_finding, of_unexplained};
 use crate::identify::station_report::{StationReport, station_reports};
 use crate::measure::recording::Kind;
@@ -131,8 +132,27 @@ pub struct UnexplainedPart {
     pub depends_on: Vec<String>,
     /// Where it sits.
     pub location: Location,
+    /// As the updated model has learned it; null where it has no part for it.
+    pub learned: Option<LearnedPart>,
     /// In a sentence.
     pub statement: String,
+}
+
+/// What has no name, learned.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct LearnedPart {
+    /// Held out, without it.
+    pub heldout_rms_before_mm: f64,
+    /// Held out, with it.
+    pub heldout_rms_after_mm: f64,
+}
+
+impl LearnedPart {
+    /// In a sentence.
+    pub fn statement(&self) -> String {
+        let Self { heldout_rms_before_mm: before, heldout_rms_after_mm: after } = self;
+        format!("The updated model holds it as learned: held-out RMS {before:.3} -> {after:.3} mm.")
+    }
 }
 
 /// A measurement to make.
@@ -171,6 +191,7 @@ impl DiagnosisReport {
                 p_value: unexplained.p_value,
                 depends_on: unexplained.depends_on(),
                 location: unexplained.location(),
+                learned: diagnosis.learned.as_ref().map(learned),
                 statement: of_unexplained(unexplained),
             }),
             outliers: diagnosis.outliers.clone(),
@@ -182,6 +203,11 @@ impl DiagnosisReport {
                 .collect(),
         }
     }
+}
+
+fn learned(learned: &Nameless<'_>) -> LearnedPart {
+    let [heldout_rms_before_mm, heldout_rms_after_mm] = learned.held_out_rms_mm;
+    LearnedPart { heldout_rms_before_mm, heldout_rms_after_mm }
 }
 
 fn stations(diagnosis: &Diagnosis<'_>) -> Vec<StationReport> {

@@ -55,6 +55,8 @@ pub struct Outcome {
     /// All that was found.
     pub found: Vec<(String, Value)>,
     pub unexplained: bool,
+    /// Whether what has no name was told to sit at its joint; `None` where there is none, or it sits at none.
+    pub located: Option<bool>,
     pub verdict: String,
     /// Share of the missing error that the updated model recovers on unseen poses.
     pub recovered: Option<f64>,
@@ -93,6 +95,7 @@ pub fn judge(spec: &Spec, trial: &Trial) -> Outcome {
         wrong: Vec::new(),
         found: Vec::new(),
         unexplained: false,
+        located: None,
         verdict: String::new(),
         recovered: None,
         outliers: [0, truth.outliers.len()],
@@ -115,6 +118,10 @@ pub fn judge(spec: &Spec, trial: &Trial) -> Outcome {
     outcome.found = names(&report["findings"]);
     outcome.wrong = outcome.found.iter().filter(|found| !justified(spec, truth, &report, found)).cloned().collect();
     outcome.unexplained = !report["unexplained"].is_null();
+    let nameless = truth.concealed.iter().find(|one| name_of(&one.cause).is_none());
+    outcome.located = nameless
+        .and_then(|one| one.cause.joint())
+        .map(|joint| report["unexplained"]["location"]["joint"].as_u64() == Some(joint as u64 + 1));
     outcome.verdict = report["verdict"].as_str().unwrap_or_default().to_string();
     let told: BTreeSet<&str> = report["outliers"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     outcome.outliers[0] = truth.outliers.iter().filter(|id| told.contains(id.as_str())).count();

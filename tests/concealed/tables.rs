@@ -163,6 +163,9 @@ fn recovered(outcomes: &[Outcome], text: &mut String) {
         row(&format!("one cause, level {level}"), group(outcomes, "single").filter(of_level).collect());
     }
     row("several causes", group(outcomes, "several").collect());
+    // What the tracker does is none of the arm's: an updated model must not hold it.
+    let of_arm = |outcome: &&Outcome| !outcome.causes.iter().any(|one| one.kind == "tracker_angle");
+    row("outside the table, level 3", group(outcomes, "outside").filter(of_arm).collect());
     text.push('\n');
 }
 
@@ -223,9 +226,9 @@ fn hardships(outcomes: &[Outcome], text: &mut String) {
 
 fn outside(outcomes: &[Outcome], text: &mut String) {
     text.push_str(
-        "| outside the table, level 3 | told as unexplained | a wrong name | the named cause beside it is right |\n",
+        "| outside the table, level 3 | told as unexplained | at its joint | a wrong name | the named cause beside it is right |\n",
     );
-    text.push_str("| --- | --- | --- | --- |\n");
+    text.push_str("| --- | --- | --- | --- | --- |\n");
     for kind in OUTSIDE_KINDS {
         for (alone, words) in [(true, "alone"), (false, "beside a named one")] {
             let of_kind = |outcome: &&Outcome| {
@@ -233,6 +236,8 @@ fn outside(outcomes: &[Outcome], text: &mut String) {
             };
             let trials: Vec<&Outcome> = group(outcomes, "outside").filter(of_kind).collect();
             let flagged = trials.iter().filter(|outcome| outcome.unexplained).count();
+            let located = trials.iter().filter(|outcome| outcome.located == Some(true)).count();
+            let has_joint = trials.iter().any(|outcome| outcome.located.is_some());
             let wrong = trials.iter().filter(|outcome| outcome.alarmed()).count();
             let named: Vec<&Judged> =
                 trials.iter().flat_map(|outcome| &outcome.causes).filter(|one| one.kind != kind).collect();
@@ -242,7 +247,9 @@ fn outside(outcomes: &[Outcome], text: &mut String) {
             if all == 0 {
                 continue;
             }
-            let _ = writeln!(text, "| {kind}, {words} | {flagged} of {all} | {wrong} of {all} | {beside} |");
+            let located = if has_joint { format!("{located} of {all}") } else { "-".to_string() };
+            let _ =
+                writeln!(text, "| {kind}, {words} | {flagged} of {all} | {located} | {wrong} of {all} | {beside} |");
         }
     }
     text.push('\n');

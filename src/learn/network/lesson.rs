@@ -5,8 +5,9 @@ use nalgebra::{DMatrix, DVector};
 use crate::identify::state::State;
 use crate::identify::unknown::Unknown;
 use crate::learn::samples::Samples;
+use crate::learn::subject::Subject;
 use crate::model::network::Feature;
-use crate::model::robot::{DOF, LOOP_AROUND, LOOP_DRIVEN};
+use crate::model::robot::DOF;
 
 /// Spread of an input, in its own unit (sines, senses, Nm), below which it is constant and left out.
 const STILL: f64 = 1e-3;
@@ -27,18 +28,8 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Sines and cosines of every actuator and of the forearm's inclination (of the fold, where there is a
-    /// parallelogram: its forearm's inclination is the actuator's own), load torques, senses of approach.
-    pub fn new(samples: &Samples<'_>, has_loop: bool) -> Self {
-        let joints = 1..=DOF;
-        let mut all: Vec<Feature> = joints.clone().flat_map(|at| [Feature::Sine(at), Feature::Cosine(at)]).collect();
-        let (driven, around) = (LOOP_DRIVEN + 1, LOOP_AROUND + 1);
-        all.extend(match has_loop {
-            true => [Feature::SineOfDifference(driven, around), Feature::CosineOfDifference(driven, around)],
-            false => [Feature::SineOfSum(around, driven), Feature::CosineOfSum(around, driven)],
-        });
-        all.extend(joints.clone().map(Feature::Torque));
-        all.extend(joints.map(Feature::Approach));
+    /// These features of the records, but for those that stand still in them.
+    pub fn new(samples: &Samples<'_>, features: Vec<Feature>) -> Self {
         let count = samples.count();
         let turns: Vec<[(f64, f64); DOF]> =
             samples.actuators_rad.iter().map(|angles| angles.map(f64::sin_cos)).collect();
@@ -53,7 +44,7 @@ impl Inputs {
         };
         let mut inputs = Self { features: vec![], shift: vec![], scale: vec![], values: DMatrix::zeros(0, count) };
         let mut rows = Vec::new();
-        for feature in all {
+        for feature in features {
             let values = DVector::from_vec(row(feature));
             let spread = values.variance().sqrt();
             if spread > STILL {
@@ -93,12 +84,13 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    /// Those of a recording.
-    pub fn new(samples: &Samples<'_>) -> Self {
+    /// Those of a recording that a network may turn.
+    pub fn new(samples: &Samples<'_>, subject: &Subject) -> Self {
         let rows = samples.missing.len().max(1) as f64;
         let size = |actuator: usize| samples.levers.column(actuator).norm() / rows.sqrt();
         let longest = (0..DOF).map(size).fold(0.0, f64::max);
-        let actuators: Vec<usize> = (0..DOF).filter(|&actuator| size(actuator) > NO_LEVER * longest).collect();
+        let actuators: Vec<usize> =
+            (0..DOF).filter(|&actuator| subject.turns(actuator) && size(actuator) > NO_LEVER * longest).collect();
         let unit_rad = actuators.iter().map(|&actuator| 1.0 / size(actuator)).collect();
         Self { actuators, unit_rad }
     }

@@ -17,6 +17,7 @@ use crate::model::network::{Layers, MeasuredBox, Output, ResidualNetwork, Surene
 use crate::model::robot::DOF;
 
 use super::samples::Samples;
+use super::subject::Subject;
 use beside::Beside;
 use lesson::{Inputs, Lesson, Outputs, prior_mean};
 use member::{Evidenced, Held, Member};
@@ -46,12 +47,12 @@ pub struct Course<'a> {
 
 impl<'a> Course<'a> {
     /// The records of a problem, with the state and the unknowns of [`Samples::new`].
-    pub fn new(samples: &'a Samples<'a>, state: &State, unknowns: &[Unknown], seed: u64) -> Self {
+    pub fn new(samples: &'a Samples<'a>, subject: &Subject, state: &State, unknowns: &[Unknown], seed: u64) -> Self {
         let has_loop = state.model.robot.parallelogram.is_some();
         Self {
             samples,
-            inputs: Inputs::new(samples, has_loop),
-            outputs: Outputs::new(samples),
+            inputs: Inputs::new(samples, subject.features(has_loop)),
+            outputs: Outputs::new(samples, subject),
             prior_mean: prior_mean(state, unknowns),
             seed,
         }

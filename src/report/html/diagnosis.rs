@@ -206,6 +206,9 @@ fn unexplained(shown: &DiagnosisPage<'_>, body: &mut Markup) {
     body.element("p", "", &unexplained.statement);
     let p = format!("p: {}; it depends on {}.", probability(unexplained.p_value), unexplained.depends_on.join(", "));
     body.element("p", "class=\"note\"", &p);
+    if let Some(learned) = &unexplained.learned {
+        body.element("p", "class=\"note\"", &learned.statement());
+    }
     body.raw("<figure class=\"side\">\n");
     for trace in shown.unexplained {
         let points = trace.points.iter().map(|point| (point.x, point.after, point.id.as_str())).collect();
