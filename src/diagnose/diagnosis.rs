@@ -16,6 +16,7 @@ use crate::model::effect::{Location, by_id};
 
 use super::advice::{Advice, next_measurements};
 use super::baseline::{Baseline, baseline};
+use super::curve_search::with_curves;
 use super::evidence;
 use super::fitted::{Fitted, Ground};
 use super::found::Found;
@@ -24,7 +25,7 @@ use super::hold_out::{Blocks, held_out_squares_m2, rms_mm};
 use super::left_over::left_over;
 use super::nameless::{Nameless, nameless};
 use super::regressors::Regressors;
-use super::ripple::{JointRipple, with_curves};
+use super::ripple::JointRipple;
 use super::search::search_from;
 use super::stability::stability;
 

@@ -6,6 +6,7 @@ pub mod calibration;
 pub mod candidate;
 pub mod check;
 pub mod choice;
+pub mod curve_search;
 pub mod detection;
 pub mod diagnosis;
 pub mod evidence;

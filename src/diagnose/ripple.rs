@@ -19,28 +19,16 @@ use crate::learn::calibration::calibrate_uncertainty;
 use crate::learn::learned::error_of_terms_m2;
 use crate::learn::samples::Samples;
 use crate::learn::term::{Term, own_angles};
-use crate::measure::recording::Kind;
 
-use super::evidence::{self, DECIDES, SMALLEST_PART};
+use super::evidence;
 use super::fitted::{Fitted, Ground};
-use super::found::Found;
-use super::free::FreeFunction;
-use super::hold_out::{Blocks, fall_in_errors, held_out_squares_m2};
 use super::projection::Projection;
-use super::regressors::Regressors;
-use super::search::search_in;
 use super::spectrum::{Spectrum, spectrum};
 
-/// Lines of one joint that make it worth asking for a curve.
-const FEWEST_LINES: usize = 2;
 /// Times that a curve's strongest line must repeat over the measured range to be called periodic ...
 const FEWEST_REPEATS: f64 = 3.0;
 /// ... and part of its squares that may be in one eighth of the range.
 const MOST_IN_ONE_PLACE: f64 = 0.5;
-/// Orders up to here have names of their own (eccentricity, ovality): they ask for no curve.
-const LOW_ORDER: f64 = 3.5;
-/// Standard errors by which held-out records must be nearer to curves than to a list of lines.
-const SURELY_NEARER: f64 = 1.0;
 /// A wave that cannot move all records together by this many standard deviations is left out of projections.
 const NO_MOVEMENT: f64 = 0.3;
 /// Parts in which the rows of a regression are summed up side by side.
@@ -101,7 +89,7 @@ impl Ripple {
 
 impl JointRipple {
     /// True where the curve is seen to repeat and is not at one place, as a damaged tooth is.
-    fn is_periodic(&self) -> bool {
+    pub fn is_periodic(&self) -> bool {
         self.spectrum.repeats >= FEWEST_REPEATS && self.spectrum.in_one_place < MOST_IN_ONE_PLACE
     }
 
@@ -127,103 +115,20 @@ impl JointRipple {
     }
 }
 
-/// The search's result with curves in the place of lines, where a joint shows many and held-out records are nearer to the
-/// curves; `None` where they are not.
+/// A ground whose state holds curves of these joints.
 ///
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
-pub fn with_curves<'a>(
-    ground: &Ground<'a>,
-    lines: &Found<'a>,
-    kind: Kind,
-    seed: u64,
-) -> Result<Option<Found<'a>>, NoPose> {
-    let asked = joints_in_question(lines);
-    if asked.is_empty() {
-        return Ok(None);
-    }
-    let searched = ground.thinned(super::search::MOST_SEARCHED);
-    let part = searched.as_ref().unwrap_or(ground);
-    let Some(first) = curved(part, &asked)? else { return Ok(None) };
-    let mut telling = telling(&first.fit(&[])?);
-    // A curve in the place of a nameless function of the same angle must be seen to be periodic.
-    let says_the_same = !shows_many_lines(lines) && are_of_own_position(&lines.free);
-    if says_the_same {
-        telling.retain(JointRipple::is_periodic);
-    }
-    let joints: Vec<usize> = telling.iter().map(|one| one.joint).collect();
-    if joints.is_empty() {
-        return Ok(None);
-    }
-    let Some(curved_part) = curved(part, &joints)? else { return Ok(None) };
-    let mut found = search_in(&curved_part, curved_part.fit(&[])?, kind, seed)?;
-    let plain = match &searched {
-        None => lines.clone(),
-        Some(part) => Found { fitted: part.refit(&lines.fitted, &lines.fitted.terms, &[])?, ..lines.clone() },
-    };
-    let blocks = Blocks::for_curves(&plain.fitted.estimate.problem, kind, seed);
-    let squares = |found: &Found<'_>| -> Result<Vec<f64>, NoPose> {
-        let estimate = &found.fitted.estimate;
-        let regressors = Regressors::new(&estimate.problem, &estimate.fit.state)?;
-        Ok(held_out_squares_m2(&estimate.problem, &blocks, &found.projection(&regressors, None)))
-    };
-    // It says the same, and has a name: then it need only be as near.
-    let least = if says_the_same { -SURELY_NEARER } else { SURELY_NEARER };
-    if fall_in_errors(&squares(&plain)?, &squares(&found)?) < least {
-        return Ok(None);
-    }
-    // Curves and causes were found in turn: now together, on all records.
-    let terms = found.fitted.terms.clone();
-    let with_terms = ground.fit(&terms)?;
-    let Some(together) = relearned(&with_terms, &joints)? else { return Ok(None) };
-    found.fitted = together;
-    found.bare_m2 = lines.bare_m2;
-    if searched.is_some() {
-        found.blocks = lines.blocks.clone();
-    }
-    found.reviews = super::review::review(&found)?;
-    Ok(Some(found))
-}
-
-fn shows_many_lines(found: &Found<'_>) -> bool {
-    let fine = |joint: usize| {
-        let terms = found.fitted.terms.iter().map(super::candidate::Candidate::location);
-        terms.filter(|at| at.joint_index() == Some(joint) && at.order.is_some_and(|order| order > LOW_ORDER)).count()
-    };
-    (0..crate::model::robot::DOF).any(|joint| fine(joint) >= FEWEST_LINES)
-}
-
-/// The joints that may have a curve: those with a function of their own angle that has no name; all where one shows many
-/// lines, or where some other function without a name may stand for the curves of several.
-fn joints_in_question(found: &Found<'_>) -> Vec<usize> {
-    if shows_many_lines(found) || !are_of_own_position(&found.free) {
-        return (0..crate::model::robot::DOF).collect();
-    }
-    found.free.iter().filter_map(FreeFunction::joint).collect()
-}
-
-fn are_of_own_position(free: &[FreeFunction]) -> bool {
-    free.iter().all(FreeFunction::is_of_own_position)
-}
-
-/// The curves that are believed beside all others.
-fn telling(fitted: &Fitted<'_>) -> Vec<JointRipple> {
-    let Some(ripple) = &fitted.ripple else { return Vec::new() };
-    let believed = |one: &&JointRipple| {
-        let (explained, evidence, projection) = one.gain(fitted);
-        evidence < -DECIDES && explained > SMALLEST_PART * projection.cost
-    };
-    ripple.joints.iter().filter(believed).cloned().collect()
-}
-
-/// A ground whose state holds curves of these joints.
-fn curved<'a>(ground: &Ground<'a>, joints: &[usize]) -> Result<Option<Ground<'a>>, NoPose> {
+pub fn curved<'a>(ground: &Ground<'a>, joints: &[usize]) -> Result<Option<Ground<'a>>, NoPose> {
     let learned = learned(&ground.problem, &ground.state, &ground.unknowns, joints)?;
     Ok(learned.map(|Learned { state, ripple, .. }| Ground { state, ripple: Some(Arc::new(ripple)), ..ground.clone() }))
 }
 
 /// A fit with its curves learned beside its causes.
-fn relearned<'a>(fitted: &Fitted<'a>, joints: &[usize]) -> Result<Option<Fitted<'a>>, NoPose> {
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn relearned<'a>(fitted: &Fitted<'a>, joints: &[usize]) -> Result<Option<Fitted<'a>>, NoPose> {
     let before = &fitted.estimate;
     let Some(learned) = learned(&before.problem, &before.fit.state, &before.fit.unknowns, joints)? else {
         return Ok(None);
