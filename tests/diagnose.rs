@@ -276,6 +276,24 @@ fn what_has_no_name_is_located_and_not_named() {
     assert_eq!(diagnosed(&recordings, &model).verdict, Verdict::NothingMissing);
 }
 
+/// On some arms the third number counts the second joint's turn. The gear does not.
+#[test]
+fn a_line_of_a_coupled_joint_follows_its_drive() {
+    let coupled = robot_text() + "coupling: [{joint: 3, by: 2, factor: 1}]\n";
+    let robot = robot::read(&Source::new("robot.yaml", coupled)).expect("a robot");
+    let text = recorded(160, 6, |q, _| {
+        let mut extra = [0.0; 6];
+        extra[2] = q[1] + 3e-4 * (21.25 * (q[1] + q[2])).sin();
+        extra
+    });
+    let recordings = [recording::read(&Source::new("r.csv", text), &robot).expect("a recording")];
+    let found = diagnosed(&recordings, &ArmModel::nominal(robot));
+    let [finding] = &found.findings[..] else { panic!("{:?}", found.findings) };
+    let location = finding.instance.location;
+    assert_eq!((finding.instance.effect.meta().id, location.joint), ("joint_periodic", Some(3)));
+    assert!((location.order.expect("an order") - 21.25).abs() < 0.05, "{location:?}");
+}
+
 /// An encoder whose error is no line but a band of them: 40 orders from 5 to 33, closer than a joint's range resolves.
 fn band(angle_rad: f64, amplitude_rad: f64, phase: f64) -> f64 {
     let line = |k: u32| ((5.0 + 0.7 * f64::from(k)) * angle_rad + phase * f64::from(k * k)).sin();

@@ -6,7 +6,7 @@ use crate::model::effect::Location;
 use crate::model::robot::DOF;
 
 use super::detection::smallest_line_rad;
-use super::diagnosis::{Diagnosis, Finding};
+use super::diagnosis::{Diagnosis, Finding, Rival};
 use super::free::Seat;
 use super::regressors::Regressors;
 
@@ -93,19 +93,18 @@ fn records_for(at: &Location, problem: &Problem<'_>, levers: &Levers) -> String 
 const ANOTHER_ORDER: &str = "turn that joint alone through all of its range, all else still, with eight stops for each repetition: over a \
     longer range two orders drift apart";
 
+/// One measurement for all rivals that it tells from a finding.
 fn between_rivals(finding: &Finding, problem: &Problem<'_>, levers: &Levers) -> Vec<Advice> {
     let (name, here) = (finding.instance.effect.meta().id, &finding.instance.location);
-    let of_rival = |rival: &super::diagnosis::Rival| Advice {
-        why: format!(
-            "{name} at the {here} and {} at the {} explain these records equally well",
-            rival.effect, rival.location
-        ),
-        what: match rival.effect == name && rival.location.order != here.order {
-            true => ANOTHER_ORDER.into(),
-            false => format!("{}{}", finding.instance.effect.meta().told_apart_by, records_for(here, problem, levers)),
-        },
+    let is_another_order = |rival: &&Rival| rival.effect == name && rival.location.order != here.order;
+    let (orders, others): (Vec<&Rival>, Vec<&Rival>) = finding.alternatives.iter().partition(is_another_order);
+    let settled = |rivals: Vec<&Rival>, what: String| {
+        let names: Vec<String> = rivals.iter().map(|one| format!("{} at the {}", one.effect, one.location)).collect();
+        let why = format!("{name} at the {here} and {} explain these records equally well", names.join(", "));
+        (!rivals.is_empty()).then_some(Advice { why, what })
     };
-    finding.alternatives.iter().map(of_rival).collect()
+    let apart = format!("{}{}", finding.instance.effect.meta().told_apart_by, records_for(here, problem, levers));
+    settled(others, apart).into_iter().chain(settled(orders, ANOTHER_ORDER.into())).collect()
 }
 
 /// A number that is only vaguely known.

@@ -3,8 +3,11 @@
 use nalgebra::DMatrix;
 
 use crate::geometry::pose::Pose;
-use crate::model::arm::ArmState;
+use crate::identify::problem::Record;
+use crate::model::arm::{ArmState, PreparedArm};
+use crate::model::conditions::Conditions;
 use crate::model::effect::{Location, MovingFrame};
+use crate::model::linkage::actuators_from_numbers;
 use crate::model::robot::DOF;
 
 use super::regressors::Regressors;
@@ -12,15 +15,15 @@ use super::regressors::Regressors;
 /// A variable that an error may depend on. Joints count from zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Variable {
-    /// A joint's number.
+    /// A joint's position: the angle of its drive, which on coupled joints is not the number that the controller shows.
     Position(usize),
     /// The sense in which a joint arrived.
     Approach(usize),
     /// A joint's load torque.
     Torque(usize),
-    /// A joint's speed.
+    /// Its speed.
     Speed(usize),
-    /// A joint's acceleration.
+    /// Its acceleration.
     Acceleration(usize),
     /// Time.
     Time,
@@ -45,6 +48,26 @@ impl Variable {
             Variable::Time => "t_s".into(),
             Variable::Temperature => "temp_c".into(),
             Variable::Beam(_) => "beam_azimuth".into(),
+        }
+    }
+
+    /// True for what is measured in radians or parts of them.
+    pub fn is_angular(self) -> bool {
+        matches!(self, Variable::Position(_) | Variable::Speed(_) | Variable::Acceleration(_) | Variable::Beam(_))
+    }
+
+    /// Its value in a record, SI; `None` where the record does not say.
+    pub fn value(self, arm: &PreparedArm<'_, f64>, stand: &ArmState<f64>, conditions: &Conditions) -> Option<f64> {
+        let of_drive = |rates: &[f64; DOF], joint: usize| actuators_from_numbers(&arm.model().robot, rates)[joint];
+        match self {
+            Variable::Position(joint) => Some(stand.actuators_rad[joint]),
+            Variable::Approach(joint) => Some(conditions.approach[joint]),
+            Variable::Torque(joint) => Some(stand.statics.actuator_torque_nm[joint]),
+            Variable::Speed(joint) => conditions.speed_rad_s.map(|speed| of_drive(&speed, joint)),
+            Variable::Acceleration(joint) => conditions.acceleration_rad_s2.map(|rates| of_drive(&rates, joint)),
+            Variable::Time => conditions.time_s,
+            Variable::Temperature => conditions.temperature_c,
+            Variable::Beam(at_mm) => Some(beam_azimuth_rad(at_mm, stand, &arm.flange_t_tool())),
         }
     }
 }
@@ -188,7 +211,7 @@ fn about_vertical(base: &DMatrix<f64>, at_mm: Stand) -> DMatrix<f64> {
 }
 
 /// The direction of a beam to the measured point, seen from above, rad: 0 towards the robot base.
-pub fn beam_azimuth_rad(at_mm: Stand, stand: &ArmState<f64>, flange_t_tool: &Pose) -> f64 {
+fn beam_azimuth_rad(at_mm: Stand, stand: &ArmState<f64>, flange_t_tool: &Pose) -> f64 {
     let point = (stand.base_t_flange * *flange_t_tool).translation;
     let [x_m, y_m] = at_mm.map(|mm| 1e-3 * f64::from(mm));
     let (along, across) =
@@ -203,23 +226,11 @@ fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
 /// The variable at every record; where a record does not say, zero.
 pub fn values(regressors: &Regressors<'_, '_>, variable: Variable) -> Vec<f64> {
     let records = regressors.problem.records.iter().zip(&regressors.stands);
-    let flange_t_tool = regressors.model().prepared().flange_t_tool();
-    records
-        .map(|(record, stand)| {
-            let observation = record.observation;
-            let conditions = &observation.conditions;
-            match variable {
-                Variable::Position(joint) => observation.numbers_rad[joint],
-                Variable::Approach(joint) => conditions.approach[joint],
-                Variable::Torque(joint) => stand.statics.actuator_torque_nm[joint],
-                Variable::Speed(joint) => conditions.speed_rad_s.map_or(0.0, |speed| speed[joint]),
-                Variable::Acceleration(joint) => conditions.acceleration_rad_s2.map_or(0.0, |value| value[joint]),
-                Variable::Time => conditions.time_s.unwrap_or(0.0),
-                Variable::Temperature => conditions.temperature_c.unwrap_or(0.0),
-                Variable::Beam(at_mm) => beam_azimuth_rad(at_mm, stand, &flange_t_tool),
-            }
-        })
-        .collect()
+    let arm = regressors.model().prepared();
+    let value = |(record, stand): (&Record<'_>, &ArmState<f64>)| {
+        variable.value(&arm, stand, &record.observation.conditions).unwrap_or(0.0)
+    };
+    records.map(value).collect()
 }
 
 /// Each function divided by its number: what a smooth function has of them at most, up to a common factor.

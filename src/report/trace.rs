@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::base::units::{deg_from_rad, mm_from_m};
 use crate::diagnose::diagnosis::Unexplained;
-use crate::diagnose::free::{Seat, Variable, beam_azimuth_rad};
+use crate::diagnose::free::{Seat, Variable};
 use crate::identify::estimate::Estimate;
 use crate::identify::problem::{Record, expected_pose};
 use crate::identify::state::{State, Station};
@@ -16,6 +16,7 @@ use crate::measure::observation::Observation;
 use crate::model::arm::EffectInstance;
 use crate::model::effect::{Follows, Location};
 use crate::model::learner::Learner;
+use crate::model::linkage::{actuators_from_numbers, numbers_from_actuators};
 
 /// A cloud of points for a plot. Empty where the model cannot place the records.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -161,24 +162,10 @@ fn words(variable: Option<Variable>) -> String {
 }
 
 fn value(variable: Variable, state: &State, observation: &Observation) -> Option<f64> {
-    let conditions = &observation.conditions;
-    match variable {
-        Variable::Position(joint) => Some(deg_from_rad(observation.numbers_rad[joint])),
-        Variable::Torque(joint) => {
-            let stand = state.model.prepared().at(&observation.numbers_rad, conditions, None).ok()?;
-            Some(stand.statics.actuator_torque_nm[joint])
-        }
-        Variable::Speed(joint) => conditions.speed_rad_s.map(|speed| deg_from_rad(speed[joint])),
-        Variable::Acceleration(joint) => conditions.acceleration_rad_s2.map(|rate| deg_from_rad(rate[joint])),
-        Variable::Time => conditions.time_s,
-        Variable::Temperature => conditions.temperature_c,
-        Variable::Beam(at_mm) => {
-            let prepared = state.model.prepared();
-            let stand = prepared.at(&observation.numbers_rad, conditions, None).ok()?;
-            Some(deg_from_rad(beam_azimuth_rad(at_mm, &stand, &prepared.flange_t_tool())))
-        }
-        Variable::Approach(joint) => Some(conditions.approach[joint]),
-    }
+    let arm = state.model.prepared();
+    let stand = arm.at(&observation.numbers_rad, &observation.conditions, None).ok()?;
+    let value = variable.value(&arm, &stand, &observation.conditions)?;
+    Some(if variable.is_angular() { deg_from_rad(value) } else { value })
 }
 
 /// What is known of a record, all in its station's frame, m.
@@ -204,7 +191,10 @@ fn parts<'a>(estimate: &Estimate<'a>, without: &State, joint: Option<usize>) -> 
             Some(joint) => {
                 const STEP_RAD: f64 = 1e-5;
                 let mut turned = record.observation.clone();
-                turned.numbers_rad[joint] += STEP_RAD;
+                let robot = &state.model.robot;
+                let mut drives_rad = actuators_from_numbers(robot, &turned.numbers_rad);
+                drives_rad[joint] += STEP_RAD;
+                turned.numbers_rad = numbers_from_actuators(robot, &drives_rad);
                 (expected_pose(&with, station, &turned).ok()?.translation - here) / STEP_RAD
             }
             None => Vector3::zeros(),

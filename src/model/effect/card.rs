@@ -94,3 +94,7 @@ pub struct EffectMeta {
     /// The measurement that tells it from those: what to do.
     pub told_apart_by: &'static str,
 }
+
+/// What tells apart whatever moves in time: [`EffectMeta::told_apart_by`] of several.
+pub const CONTROL_POSES: &str =
+    "three control poses every 25 records, one of them with the arm folded, and a reflector on the base";

@@ -12,7 +12,7 @@
 use crate::geometry::real::Real;
 use crate::model::parameters::Displacement;
 
-use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{CONTROL_POSES, Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct Drift;
@@ -36,8 +36,7 @@ static META: EffectMeta = EffectMeta {
     signature: "grows with time, steadily or until it levels off, the same for every joint position",
     mistaken_for: &["thermal_growth", "step_shift"],
     follows: Follows::Time,
-    told_apart_by: "three control poses every 25 records, one of them with the arm folded, and a reflector on the base \
-        three control poses every 25 records, one of them with the arm folded, and a reflector on the base",
+    told_apart_by: CONTROL_POSES,
 };
 
 impl Physics for Drift {

@@ -36,7 +36,7 @@ mod step_shift;
 mod thermal_growth;
 mod time_offset;
 
-pub use card::{EffectMeta, Follows, Needs, ParameterMeta};
+pub use card::{CONTROL_POSES, EffectMeta, Follows, Needs, ParameterMeta};
 pub use location::{Location, MovingFrame, Place, SpringLaw};
 pub use response::Response;
 

@@ -10,7 +10,7 @@
 use crate::geometry::real::Real;
 use crate::model::parameters::Displacement;
 
-use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{CONTROL_POSES, Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct StepShift;
@@ -32,8 +32,7 @@ static META: EffectMeta = EffectMeta {
     signature: "a jump at one moment, constant in one frame before and after it",
     mistaken_for: &["drift", "thermal_growth"],
     follows: Follows::Time,
-    told_apart_by: "three control poses every 25 records, one of them with the arm folded, and a reflector on the base \
-        three control poses every 25 records, one of them with the arm folded, and a reflector on the base",
+    told_apart_by: CONTROL_POSES,
 };
 
 impl Physics for StepShift {

@@ -13,7 +13,7 @@
 
 use crate::geometry::real::Real;
 
-use super::{Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
+use super::{CONTROL_POSES, Context, EffectMeta, Follows, Location, Needs, ParameterMeta, Physics, Place, Response};
 
 /// See the module.
 pub struct ThermalGrowth;
@@ -35,8 +35,7 @@ static META: EffectMeta = EffectMeta {
     signature: "one length follows temperature or warm-up time",
     mistaken_for: &["drift", "step_shift"],
     follows: Follows::Warmth,
-    told_apart_by: "three control poses every 25 records, one of them with the arm folded, and a reflector on the base \
-        three control poses every 25 records, one of them with the arm folded, and a reflector on the base",
+    told_apart_by: CONTROL_POSES,
 };
 
 impl Physics for ThermalGrowth {
