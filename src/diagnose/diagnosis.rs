@@ -335,12 +335,17 @@ fn curves(found: &Found<'_>, held_out_rms_mm: f64) -> Vec<Finding> {
     fitted.ripple.iter().flat_map(|ripple| &ripple.joints).map(finding).collect()
 }
 
+/// A number within this part of its uncertainty of zero is where its prior has put it: the recording says nothing of it, as it
+/// does of a tool's turn about a point that is all that was measured.
+const UNTOLD: f64 = 1e-6;
+
 fn named_values(instances: &[EffectInstance], values: &DVector<f64>, sigmas: &DVector<f64>) -> Vec<Value> {
     instances
         .iter()
         .flat_map(|instance| instance.effect.meta().parameters)
         .zip(values.iter().zip(sigmas.iter()))
         .map(|(meta, (&value, &sigma))| Value { name: meta.name, unit: meta.unit, value, sigma })
+        .filter(|told| told.value.abs() > UNTOLD * told.sigma)
         .collect()
 }
 
