@@ -325,6 +325,31 @@ fn a_joint_of_many_lines_gets_one_curve_and_one_name() {
     assert!(found.after.held_out_rms_mm < 0.6 * found.before.held_out_rms_mm);
 }
 
+/// Ten orders from 3.2 to 7.3, none of them much of the whole: a function of the joint's angle that is seen to repeat.
+#[test]
+fn what_follows_a_joints_own_angle_and_repeats_is_periodic() {
+    let (recordings, arm) = trial_of(300, 8, |q, _| {
+        let line = |k: u32| ((3.2 + 0.45 * f64::from(k)) * q[1] + 1.1 * f64::from(k * k)).sin();
+        [0.0, 4e-5 * (0..10).map(line).sum::<f64>(), 0.0, 0.0, 0.0, 0.0]
+    });
+    let found = diagnosed(&recordings, &arm);
+    let [finding] = &found.findings[..] else { panic!("{:?}", found.findings) };
+    assert_eq!((finding.instance.effect.meta().id, finding.instance.location.joint), ("joint_periodic", Some(2)));
+    assert_eq!(found.verdict, Verdict::Explained);
+}
+
+#[test]
+fn a_damaged_place_of_a_gear_is_not_periodic() {
+    let (recordings, arm) =
+        trial_of(300, 8, |q, _| [0.0, 0.0, 6e-4 * (-0.5 * ((q[2] - 0.4) / 0.12).powi(2)).exp(), 0.0, 0.0, 0.0]);
+    let found = diagnosed(&recordings, &arm);
+    assert!(found.findings.is_empty(), "{:?}", found.findings);
+    let unexplained = found.unexplained.as_ref().expect("a bump");
+    assert_eq!((unexplained.location().joint, unexplained.depends_on()), (Some(3), vec!["q3".to_string()]));
+    let [before, after] = found.learned.as_ref().expect("learned").held_out_rms_mm;
+    assert!(after < 0.7 * before, "{before} {after}");
+}
+
 #[test]
 fn what_would_not_show_is_told() {
     let (recordings, arm) = trial(5, |_, _| [0.0; 6]);

@@ -8,7 +8,7 @@ use crate::model::robot::DOF;
 use super::evidence::{DECIDES, SMALLEST_PART};
 use super::fitted::{Fitted, Ground};
 use super::found::Found;
-use super::free::{FreeFunction, Seat};
+use super::free::FreeFunction;
 use super::hold_out::{Blocks, fall_in_errors, held_out_squares_m2};
 use super::regressors::Regressors;
 use super::review::review;
@@ -36,12 +36,14 @@ enum Occasion {
 impl Occasion {
     fn of(found: &Found<'_>) -> Option<Self> {
         let free = &found.free;
-        match free {
-            _ if shows_many_lines(found) => Some(Self::ManyLines),
-            _ if free.is_empty() || free.iter().any(|one| matches!(one.seat, Seat::Tracker(_))) => None,
-            _ if free.iter().all(FreeFunction::is_of_own_position) => Some(Self::OwnAngles),
-            _ => Some(Self::OtherFunctions),
+        if shows_many_lines(found) {
+            return Some(Self::ManyLines);
         }
+        if free.is_empty() || free.iter().any(FreeFunction::is_of_tracker) {
+            return None;
+        }
+        let all_own = free.iter().all(FreeFunction::is_of_own_position);
+        Some(if all_own { Self::OwnAngles } else { Self::OtherFunctions })
     }
 
     /// The joints that may have a curve. What curves they have shows beside each other's alone.

@@ -135,6 +135,11 @@ impl FreeFunction {
         matches!((self.seat, &self.variables[..]), (Seat::Joint(joint), &[Variable::Position(own)]) if own == joint)
     }
 
+    /// True for what turns a tracker's beam: an error of the measurement.
+    pub fn is_of_tracker(&self) -> bool {
+        matches!(self.seat, Seat::Tracker(_))
+    }
+
     /// The joint that it turns, from zero.
     pub fn joint(&self) -> Option<usize> {
         match self.seat {

@@ -10,7 +10,7 @@ use crate::learn::subject::Subject;
 use crate::model::network::Feature;
 
 use super::found::Found;
-use super::free::{FreeFunction, Seat, Variable};
+use super::free::{FreeFunction, Variable};
 
 /// An estimate with what has no name in it.
 #[derive(Clone, Debug)]
@@ -42,33 +42,29 @@ pub fn nameless<'a>(found: &Found<'a>, seed: u64) -> Result<Option<Nameless<'a>>
 
 /// What was located, as far as it is the arm's and depends on what a program's target has: pose, load and approach.
 fn subject(free: &[FreeFunction]) -> Option<Subject> {
-    let mut turns = Vec::new();
-    let mut features = Vec::new();
+    // The arm must not be taught what its tracker does.
+    if free.iter().any(FreeFunction::is_of_tracker) {
+        return None;
+    }
+    let (mut turns, mut features) = (Vec::new(), Vec::new());
     for function in free {
-        let joint = match function.seat {
-            Seat::Joint(joint) => joint,
-            Seat::Base | Seat::Tool => continue,
-            // The arm must not be taught what the tracker does.
-            Seat::Tracker(_) => return None,
-        };
-        let seen: Option<Vec<Vec<Feature>>> =
-            function.variables.iter().map(|variable| features_of(*variable)).collect();
-        if let Some(seen) = seen {
-            turns.push(joint);
-            features.extend(seen.into_iter().flatten());
-        }
+        let seen: Option<Vec<Vec<Feature>>> = function.variables.iter().map(|one| features_of(*one)).collect();
+        let (Some(joint), Some(seen)) = (function.joint(), seen) else { continue };
+        add_new(&mut turns, [joint]);
+        add_new(&mut features, seen.into_iter().flatten());
     }
-    turns.sort_unstable();
-    turns.dedup();
-    let mut known = Vec::new();
-    for feature in features {
-        if !known.contains(&feature) {
-            known.push(feature);
-        }
-    }
-    (!turns.is_empty()).then_some(Subject::Located { turns, features: known })
+    (!turns.is_empty()).then_some(Subject::Located { turns, features })
 }
 
+fn add_new<T: PartialEq>(all: &mut Vec<T>, more: impl IntoIterator<Item = T>) {
+    for one in more {
+        if !all.contains(&one) {
+            all.push(one);
+        }
+    }
+}
+
+/// The inputs of a learner that tell a variable; `None` where a program's target does not have it.
 fn features_of(variable: Variable) -> Option<Vec<Feature>> {
     match variable {
         Variable::Position(joint) => Some(vec![Feature::Sine(joint + 1), Feature::Cosine(joint + 1)]),
@@ -83,6 +79,7 @@ fn features_of(variable: Variable) -> Option<Vec<Feature>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnose::free::Seat;
 
     fn at(joint: usize, variables: &[Variable]) -> FreeFunction {
         FreeFunction { seat: Seat::Joint(joint), variables: variables.to_vec() }

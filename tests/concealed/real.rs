@@ -53,7 +53,7 @@ impl Real {
     }
 
     fn settle(&self, moment: &Moment) -> Option<Stand> {
-        let drives = self.arm.drives(&self.numbers(moment));
+        let drives = self.drives(moment);
         let own = self.unloaded(moment, &drives);
         let inertia = self.inertial_torques(moment);
         let fields = [self.gravity; BODIES];
@@ -73,21 +73,21 @@ impl Real {
         self.arm.stand(&drives, &shape)
     }
 
-    /// The numbers at which the drives stand when the record is taken.
-    fn numbers(&self, moment: &Moment) -> [f64; DOF] {
-        let mut numbers = moment.numbers;
-        let Some(motion) = &moment.motion else { return numbers };
-        for (cause, size) in &self.causes {
-            if let Cause::Clock = cause {
-                numbers = motion.numbers(moment.time_s + size);
-            }
-        }
+    /// Where the drives stand when the record is taken. A servo runs behind in its own drive's angle, whatever the controller
+    /// shows for it.
+    fn drives(&self, moment: &Moment) -> [f64; DOF] {
+        let Some(motion) = &moment.motion else { return self.arm.drives(&moment.numbers) };
+        let clocks = self.causes.iter().filter(|(cause, _)| matches!(cause, Cause::Clock));
+        let mut drives = match clocks.last() {
+            Some((_, size)) => self.arm.drives(&motion.numbers(moment.time_s + size)),
+            None => self.arm.drives(&moment.numbers),
+        };
         for (cause, size) in &self.causes {
             if let Cause::Lag { joint } = cause {
-                numbers[*joint] = motion.numbers(moment.time_s - size)[*joint];
+                drives[*joint] = self.arm.drives(&motion.numbers(moment.time_s - size))[*joint];
             }
         }
-        numbers
+        drives
     }
 
     /// What no load changes.
