@@ -271,9 +271,16 @@ fn what_has_no_name_is_located_and_not_named() {
     // The updated model holds it all the same, and knows what it holds: asked again, it misses nothing.
     let [before, after] = found.learned.as_ref().expect("learned").held_out_rms_mm;
     assert!(after < 0.5 * before, "{before} {after}");
-    let model = updated(&found, &recordings).arm;
-    assert!(model.learner.is_some());
-    assert_eq!(diagnosed(&recordings, &model).verdict, Verdict::NothingMissing);
+    let model = updated(&found, &recordings);
+    assert!(model.arm.learner.is_some());
+    assert_eq!(diagnosed(&recordings, &model.arm).verdict, Verdict::NothingMissing);
+    // What geometry undoes of a network is no uncertainty of a point: radii are those of an error of half the noise.
+    let records: Vec<&Observation> = recordings[0].observations.iter().collect();
+    let uncertainty = model.uncertainty.as_ref();
+    let predicted = predict(&model.arm, uncertainty, &model.stations, &records).expect("poses");
+    let mut radii_mm: Vec<f64> = predicted.iter().map(|one| 1e3 * one.u95_m.expect("a radius")).collect();
+    radii_mm.sort_by(f64::total_cmp);
+    assert!((0.5 * NOISE_MM..5.0 * NOISE_MM).contains(&radii_mm[radii_mm.len() / 2]), "{radii_mm:?}");
 }
 
 /// On some arms the third number counts the second joint's turn. The gear does not.

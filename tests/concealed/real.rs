@@ -77,8 +77,8 @@ impl Real {
     /// shows for it.
     fn drives(&self, moment: &Moment) -> [f64; DOF] {
         let Some(motion) = &moment.motion else { return self.arm.drives(&moment.numbers) };
-        let clocks = self.causes.iter().filter(|(cause, _)| matches!(cause, Cause::Clock));
-        let mut drives = match clocks.last() {
+        let mut clocks = self.causes.iter().filter(|(cause, _)| matches!(cause, Cause::Clock));
+        let mut drives = match clocks.next_back() {
             Some((_, size)) => self.arm.drives(&motion.numbers(moment.time_s + size)),
             None => self.arm.drives(&moment.numbers),
         };

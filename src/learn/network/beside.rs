@@ -32,6 +32,16 @@ impl Beside {
         left - &self.geometry * self.geometry_of(left)
     }
 
+    /// `P J`: what is left of the columns' movements when geometry has followed them.
+    pub fn apply_to_all(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut left = jacobian.clone();
+        for mut column in left.column_iter_mut() {
+            let applied = self.apply(&column.clone_owned());
+            column.copy_from(&applied);
+        }
+        left
+    }
+
     /// `J' P J`.
     pub fn inner(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
         let mut across = self.geometry.tr_mul(jacobian);
@@ -59,6 +69,7 @@ mod tests {
         let weighting = whole.try_inverse().expect("regular") * noise;
         assert!((beside.apply(&left) - &weighting * &left).amax() < 1e-10);
         let jacobian = DMatrix::from_fn(12, 4, |row, column| ((row + 7 * column) as f64).sin());
+        assert!((beside.apply_to_all(&jacobian) - &weighting * &jacobian).amax() < 1e-10);
         assert!((beside.inner(&jacobian) - jacobian.tr_mul(&(&weighting * &jacobian))).amax() < 1e-10);
         assert!((beside.determined() - (12.0 - weighting.trace())).abs() < 1e-10);
     }

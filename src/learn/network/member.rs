@@ -156,7 +156,8 @@ pub struct Evidenced {
     pub determined: f64,
     /// Variance of each output, mean over the records.
     pub variance: DVector<f64>,
-    /// Mean over the rows of the variance that the weights leave of what they move, in units of the whitened rows.
+    /// Mean over the rows of the variance that the weights leave of what they move, geometry following, in units of the whitened
+    /// rows.
     pub moved_variance: f64,
 }
 
@@ -208,7 +209,8 @@ impl Evidenced {
             let spread = &root * slopes.transpose();
             variance += DVector::from_iterator(outputs, spread.column_iter().map(|column| column.norm_squared()));
         }
-        let moved = &root * jacobian.transpose();
+        // An offset of an output is nearly unknown, and geometry undoes it: what counts is what stays when geometry has followed.
+        let moved = &root * beside.apply_to_all(&jacobian).transpose();
         Some(Self {
             held: better,
             determined,

@@ -123,11 +123,15 @@ impl<'a> Course<'a> {
     }
 
     /// Variance of what the bag moves a row by, mean over the rows, whitened: what the evidence leaves of a member, and by
-    /// what the members differ.
+    /// what the members differ, both with geometry following, which undoes an offset.
     pub fn moved_variance(&self, bag: &Bag) -> f64 {
         let lesson = self.all();
-        let moved: Vec<DVector<f64>> =
-            bag.members.iter().map(|(member, ..)| lesson.moved(&member.outputs(&lesson.inputs))).collect();
+        let beside = Beside::new(&lesson.geometry, bag.noise());
+        let moved_by = |member: &Member| {
+            let moved = lesson.moved(&member.outputs(&lesson.inputs));
+            beside.as_ref().map_or_else(|| moved.clone(), |beside| beside.apply(&moved))
+        };
+        let moved: Vec<DVector<f64>> = bag.members.iter().map(|(member, ..)| moved_by(member)).collect();
         let count = moved.len().max(1) as f64;
         let mean = moved.iter().fold(DVector::zeros(lesson.missing.len()), |sum, one| sum + one) / count;
         let spread = moved.iter().map(|one| (one - &mean).norm_squared()).sum::<f64>() / (count - 1.0).max(1.0);
