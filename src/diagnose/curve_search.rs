@@ -91,9 +91,9 @@ pub fn with_curves<'a>(
         Some(part) => Found { fitted: part.refit(&before.fitted, &before.fitted.terms, &[])?, ..before.clone() },
     };
     let blocks = Blocks::for_curves(&plain.fitted.estimate.problem, kind, seed);
-    let nearer = |found: &Found<'_>| -> Result<f64, NoPose> {
-        Ok(fall_in_errors(&squares_m2(&plain, &blocks)?, &squares_m2(found, &blocks)?))
-    };
+    let of_plain_m2 = squares_m2(&plain, &blocks)?;
+    let nearer =
+        |found: &Found<'_>| -> Result<f64, NoPose> { Ok(fall_in_errors(&of_plain_m2, &squares_m2(found, &blocks)?)) };
     let Some(all) = curved(part, &occasion.joints(before))? else { return Ok(None) };
     let all = all.fit(&[])?;
     if occasion == Occasion::OtherFunctions {

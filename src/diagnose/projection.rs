@@ -239,19 +239,18 @@ impl Projection {
     pub fn with_smooth(&self, columns: &DMatrix<f64>) -> Self {
         let Smooth { vectors, directions, size, .. } = self.smooth(columns);
         let beyond = columns - &self.basis * (&self.transposed * columns);
-        let mut basis = self.basis.clone();
+        let known = self.basis.ncols();
+        let mut basis = self.basis.clone().resize_horizontally(known + directions.len(), 0.0);
         let mut residuals = self.residuals.clone();
         let mut cost = self.cost;
         // Orthonormal in the rows of records and priors together, of which only the upper ones are kept.
-        for direction in &directions {
+        for (place, direction) in directions.iter().enumerate() {
             let scale = (size / (1.0 + size * direction.own)).sqrt();
             let fresh = &beyond * vectors.column(direction.index) * scale;
             let along = direction.part * scale;
             residuals -= &fresh * along;
             cost -= along * along;
-            let count = basis.ncols();
-            basis = basis.insert_column(count, 0.0);
-            basis.set_column(count, &fresh);
+            basis.set_column(known + place, &fresh);
         }
         Self { transposed: basis.transpose(), basis, residuals, cost, rows: self.rows, free: self.free }
     }

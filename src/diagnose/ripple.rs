@@ -10,12 +10,11 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::identify::estimate::{estimate, root_mean_square};
 use crate::identify::problem::{NoPose, Problem};
 use crate::identify::state::State;
 use crate::identify::unknown::Unknown;
 use crate::learn::additive::{Fitted as Regressed, Regression};
-use crate::learn::calibration::calibrate_uncertainty;
+use crate::learn::calibration::{beside_learner, calibrate_uncertainty};
 use crate::learn::learned::error_of_terms_m2;
 use crate::learn::samples::Samples;
 use crate::learn::term::{Term, own_angles};
@@ -133,16 +132,8 @@ pub fn relearned<'a>(fitted: &Fitted<'a>, joints: &[usize]) -> Result<Option<Fit
     let Some(learned) = learned(&before.problem, &before.fit.state, &before.fit.unknowns, joints)? else {
         return Ok(None);
     };
-    // What is left is less than the noise by what the curves took of it: the regression knows how much that is, the fit beside
-    // fixed curves does not.
-    let mut problem = before.problem.clone();
-    for record in &mut problem.records {
-        record.sigma_m *= learned.noise_scale;
-    }
-    let sigma_m = root_mean_square(problem.records.iter().map(|record| record.sigma_m));
-    let mut estimate = estimate(problem, learned.state, &before.fit.unknowns, true)?;
-    estimate.scale *= before.scale * learned.noise_scale;
-    (estimate.spread.sigma_m, estimate.spread.freedom) = (sigma_m, learned.freedom);
+    let noise = (learned.noise_scale, learned.freedom);
+    let estimate = beside_learner(before.problem.clone(), learned.state, before, noise)?;
     Ok(Some(Fitted { estimate, ripple: Some(Arc::new(learned.ripple)), ..fitted.clone() }))
 }
 

@@ -76,7 +76,7 @@ fn deliver(outcome: &mut Outcome<'_>, learned: &Learned) -> Result<(), NoPose> {
 /// # Errors
 /// [`NoPose`] when the model cannot place a record.
 pub fn with_learner<'a>(
-    mut problem: Problem<'a>,
+    problem: Problem<'a>,
     before: &Estimate<'_>,
     learned: &Learned,
 ) -> Result<Option<Estimate<'a>>, NoPose> {
@@ -85,16 +85,34 @@ pub fn with_learner<'a>(
     // regions are missed by, whose records have less company than a fresh pose would, is the most. The mean of the two.
     let error_m2 = learned.error_m2 * 0.5 * (1.0 + learned.held_out_ratio);
     calibrate_uncertainty(&problem, &mut state, error_m2)?;
-    // The records leave less now, and what they leave is less than the noise by what the learner took of it.
+    let noise = (learned.noise_scale, learned.freedom.max(1.0));
+    Ok(Some(beside_learner(problem, state, before, noise)?))
+}
+
+/// The estimate beside a learner that a state holds.
+///
+/// What the records leave is less than the noise by what the learner took of it: its regression knows how much that is, the fit
+/// beside a fixed learner does not.
+///
+/// # Arguments
+/// * `noise_scale`, `freedom` - factor on the records' sigmas that gives the noise which it leaves, and what is behind that
+///
+/// # Errors
+/// [`NoPose`] when the model cannot place a record.
+pub fn beside_learner<'a>(
+    mut problem: Problem<'a>,
+    state: State,
+    before: &Estimate<'_>,
+    (noise_scale, freedom): (f64, f64),
+) -> Result<Estimate<'a>, NoPose> {
     for record in &mut problem.records {
-        record.sigma_m *= learned.noise_scale;
+        record.sigma_m *= noise_scale;
     }
     let sigma_m = root_mean_square(problem.records.iter().map(|record| record.sigma_m));
-    let mut delivered = estimate(problem, state, &before.fit.unknowns, true)?;
-    delivered.scale *= before.scale * learned.noise_scale;
-    delivered.spread.sigma_m = sigma_m;
-    delivered.spread.freedom = learned.freedom.max(1.0);
-    Ok(Some(delivered))
+    let mut beside = estimate(problem, state, &before.fit.unknowns, true)?;
+    beside.scale *= before.scale * noise_scale;
+    (beside.spread.sigma_m, beside.spread.freedom) = (sigma_m, freedom);
+    Ok(beside)
 }
 
 /// Scales the uncertainty of the learner so that, over the records, it adds up to the mean square error that they are expected
